@@ -3,23 +3,25 @@ for (const box of document.querySelectorAll(".exercise[data-id]")) {
   const form = box.querySelector("form"), read = box.querySelector("output"), said = box.querySelector(".reply");
   let timer = null, latest = 0;
   const ask = async (what, place) => {
+    const write = (kind, text) => place && (place[kind] = text);
     const mine = what === "read" ? ++latest : latest;
     try {
       const reply = await fetch(`exercise/${box.dataset.id}/${what}`, { method: "POST",
         headers: { "Content-Type": "application/json" }, body: JSON.stringify({ answer: form.elements.answer.value }) });
-      if (!reply.ok) return (place.textContent = await reply.text());
+      if (!reply.ok) return write("textContent", await reply.text());
       const { says, standing } = await reply.json();
       if (what === "read" && mine !== latest) return;  // more was typed since
-      place.innerHTML = says;
+      write("innerHTML", says);
       box.querySelector(".standing").textContent = standing;
     } catch {
-      place.textContent = "The server does not answer. Start it again: exercises serve";
+      write("textContent", "The server does not answer. Start it again: exercises serve");
     }
   };
   form.addEventListener("submit", (event) => {
     event.preventDefault();
     ask(event.submitter.value, said);
   });
+  ask("read", null);  // the standing, which may have changed since the page was written
   if (read) form.addEventListener("input", () => {
     clearTimeout(timer);
     timer = setTimeout(() => ask("read", read), 250);

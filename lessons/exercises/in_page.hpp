@@ -1,30 +1,40 @@
-// Exercises as HTML: in the pages of `exercises serve`, and in those that a teacher hands back. What students
-// wrote is only ever text in them.
+// Exercises as passages: for the pages of `exercises serve`, and for those that a teacher hands back. What
+// students wrote is only ever text in them.
 #pragma once
 
 #include <lessons/exercises/classroom.hpp>
+#include <lessons/page/passages.hpp>
 #include <map>
 #include <string>
 
 namespace rederive::classroom {
 
-/// The beginning of a text that may be of any length and hold anything.
-std::string shown(const std::string& text, std::size_t most);
-/// Sentences with marks.
-std::string in_html(const std::string& sentences, const Symbols& symbols);
-/// What the judge says; `more` is HTML.
-std::string verdict_html(const Opinion& opinion, const Symbols& symbols, const std::string& more);
+/// Returns the beginning of a text, at most `most` bytes, in printable characters.
+std::string cut(const std::string& text, std::size_t most);
+/// Returns the same as a sentence that shows it as it is typed.
+std::string as_code(const std::string& text, std::size_t most = 2000);
+/// Returns the paragraphs of a text with marks as sentences. One with a formula that cannot be read is plain
+/// text.
+std::vector<std::string> sentences_of(const std::string& text, const Symbols& symbols);
+/// Returns what the judge says of an answer.
+Findings verdict_findings(const Opinion& opinion, const Symbols& symbols);
 
-/// The page of a lesson, its exercises in their places, with a form each.
-std::string with_exercises(const Classroom& room, std::string page);
-/// All exercises, lesson by lesson, with what is done. `contents` by the lessons' programs, in order.
-std::string page_of_exercises(const Classroom& room, const std::map<std::string, std::string>& contents);
+/// Returns the forms of all exercises, and the script that serves them, as the option --forms of a lesson
+/// reads them.
+std::string forms_json(const Classroom& room);
+/// Returns the page of all exercises, lesson by lesson, with what is done. `titles` has the titles of the
+/// lessons by their programs, in order.
+std::string page_of_exercises(const Classroom& room, const std::map<std::string, std::string>& titles);
+/// Writes the index of the lessons and the page of the exercises' statements into a folder: index.html,
+/// exercises.html.
+int write_index(const Classroom& room, const std::string& folder);
 
 /// What comes of a form: HTML to show, and where the student stands.
 struct Reply {
   std::string says, standing;
 };
-/// `what`: read (nothing is judged), check, hint, solution, give_up. Throws BadInput for another.
+/// Returns the reply to a button: read (nothing is judged), check, hint, solution, give_up. Throws BadInput
+/// for another.
 Reply reply(const Classroom& room, const Exercise& exercise, const std::string& what,
             const std::string& answer);
 

@@ -11,7 +11,7 @@
 namespace rederive::classroom {
 namespace {
 
-struct Findings {
+struct Complaints {
   std::string id;
   std::size_t checks = 0;
   std::vector<std::string> complaints = {};
@@ -40,7 +40,7 @@ bool gives_away(const Prepared& prepared, const std::string& sentence) {
 
 /// Checks that the statement says what is given, and that each inequality in it and in the hints follows from
 /// that.
-void check_given(const Prepared& prepared, Findings& findings) {
+void check_given(const Prepared& prepared, Complaints& findings) {
   const Exercise& exercise = prepared.exercise;
   for (const auto& text : exercise.given)
     findings.check(exercise.statement.find("$" + text + "$") != std::string::npos,
@@ -56,7 +56,7 @@ void check_given(const Prepared& prepared, Findings& findings) {
     }
 }
 
-void check_texts(const Prepared& prepared, Findings& findings) {
+void check_texts(const Prepared& prepared, Complaints& findings) {
   const Exercise& exercise = prepared.exercise;
   check_given(prepared, findings);
   findings.check(exercise.hints.size() >= 3, "fewer than three hints");
@@ -77,7 +77,7 @@ void check_texts(const Prepared& prepared, Findings& findings) {
         "no example of syntax, or one that is right");
 }
 
-void check_right_answers(const Prepared& prepared, Findings& findings) {
+void check_right_answers(const Prepared& prepared, Complaints& findings) {
   const Exercise& exercise = prepared.exercise;
   const Opinion own = judge_answer(prepared, model_answer(prepared));
   findings.check(own.outcome == Outcome::correct,
@@ -88,7 +88,7 @@ void check_right_answers(const Prepared& prepared, Findings& findings) {
   }
 }
 
-void check_wrong_answers(const Prepared& prepared, Findings& findings) {
+void check_wrong_answers(const Prepared& prepared, Complaints& findings) {
   const Exercise& exercise = prepared.exercise;
   for (const std::string stub : {"", "# answer here", "?"})
     findings.check(judge_answer(prepared, stub).outcome == Outcome::invalid,
@@ -125,7 +125,7 @@ int selftest(const Classroom& room) {
   const auto test = [&](const Exercise& exercise) {
     if (!seen.emplace(exercise.id, exercise.choice).second) return;
     variants += !exercise.choice.empty();
-    Findings findings{id_and_seed(exercise)};
+    Complaints findings{id_and_seed(exercise)};
     try {
       const Prepared prepared = prepare(exercise);
       check_texts(prepared, findings);

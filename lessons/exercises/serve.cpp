@@ -18,25 +18,28 @@
 namespace rederive::classroom {
 namespace {
 
-/// Returns what the program of a lesson writes.
-std::string written_by(const std::string& lesson, const std::string& options) {
-  const Said said = said_by(in_quotes(loaded_from().parent_path() / lesson) + options);
+/// Returns the page of a lesson with the forms of its exercises, as its program writes it. The page is kept;
+/// the script asks how the exercises stand.
+std::string page_of_lesson(const Classroom& room, const std::string& lesson) {
+  static std::map<std::string, std::string> pages;
+  if (const auto known = pages.find(lesson); known != pages.end()) return known->second;
+  std::filesystem::path folder = private_folder("forms");
+  write_whole(folder / "forms.json", forms_json(room));
+  const Said said = said_by(in_quotes(loaded_from().parent_path() / lesson) + " --format html --forms " +
+                            in_quotes(folder / "forms.json"));
+  std::filesystem::remove_all(folder);
   if (said.status != 0) throw std::runtime_error(lesson + " failed");
-  return said.text;
+  return pages[lesson] = said.text;
 }
 
-/// Returns the page of that name. What lessons write is kept. Throws BadInput if there is no such page.
+/// Returns the page of that name. Throws BadInput if there is no such page.
 std::string page_named(const Classroom& room, const std::string& name) {
-  static std::map<std::string, std::string> pages, contents;
-  const bool is_index = name.empty() || name == "index.html" || name == "exercises.html";
-  for (const auto& lesson : all_lessons()) {
-    if (is_index && contents[lesson].empty()) contents[lesson] = written_by(lesson, " --list");
-    if (name != lesson + ".html") continue;
-    if (pages[lesson].empty()) pages[lesson] = written_by(lesson, " --format html");
-    return with_exercises(room, pages[lesson]);
-  }
+  for (const auto& lesson : all_lessons())
+    if (name == lesson + ".html") return page_of_lesson(room, lesson);
   if (name == "workbench.html") return read_whole(data_folder() / "workbench.html");
-  if (is_index) return page_of_exercises(room, contents);
+  static const std::map<std::string, std::string> titles = titles_of_lessons();
+  if (name.empty() || name == "index.html" || name == "exercises.html")
+    return page_of_exercises(room, titles);
   throw BadInput("there is no such page");
 }
 

@@ -46,8 +46,11 @@ std::string lines_of(const Page& page) {
   for (const auto& block : page.blocks()) {
     if (const auto* words = std::get_if<Paragraph>(&block)) text += readable(words->text, symbols, "  ");
     if (const auto* formula = std::get_if<Formula>(&block))
-      text += wrap(joined(pieces(formula->relation, Notation::unicode, symbols), " ", glued) + formula->mark,
-                   80, "      ", "        ");
+      text +=
+          wrap(joined(pieces(formula->relation), " ",
+                      [&](const Piece& piece) { return glued(print(piece, Notation::unicode, symbols)); }) +
+                   formula->mark,
+               80, "      ", "        ");
   }
   return text;
 }

@@ -8,16 +8,12 @@
 #include <functional>
 #include <lessons/exercises/in_page.hpp>
 #include <lessons/exercises/teacher_pages.hpp>
+#include <lessons/page/prose.hpp>
 #include <lessons/page/render.hpp>
 #include <set>
 
 namespace rederive::classroom {
 namespace {
-
-std::string page(const std::string& title, const std::string& body) {
-  return page_head(title) + "<main class=\"class\">\n<h1>" + title + "</h1>\n" + body +
-         "</main>\n</body>\n</html>\n";
-}
 
 std::string words_of(std::string note) {
   std::replace(note.begin(), note.end(), '_', ' ');
@@ -45,70 +41,85 @@ std::string file_name_for(const std::string& name, std::set<std::string>& used) 
   return file + ".html";
 }
 
-std::string section(const Exercise& exercise, const Rules& rules, const Student& student, const Row& row) {
-  const Mark mark = mark_of(rules, student, row);
-  std::string text = fmt::format("<section>\n<h2>{}</h2>\n{}", escaped(exercise.title),
-                                 in_html(row.statement, exercise.language()));
-  text += "<pre>" + (row.answer.empty() ? "(nothing)" : shown(row.answer, 400)) + "</pre>\n";
+std::string page(const Classroom& room, const std::string& title, const std::vector<Passage>& passages) {
+  return rendered({title, {}, "class"}, passages, {.paper = room.course.paper, .format = Format::html});
+}
+
+/// What came of one answer: the statement, the answer, the verdict, a hint, and the marks if it counts.
+void add_section(const Exercise& exercise, const Rules& rules, const Student& student, const Row& row,
+                 std::vector<Passage>& passages) {
+  const auto say = [&](const std::string& text) {
+    for (const std::string& sentence : sentences_of(text, exercise.language()))
+      passages.push_back(Paragraph{sentence});
+  };
+  passages.push_back(Heading{literal(exercise.title)});
+  say(row.statement);
+  passages.push_back(Commands{{row.answer.empty() ? "(nothing)" : cut(row.answer, 400)}});
   Opinion opinion = row.opinion;
   if (opinion.read_as == row.answer) opinion.read_as.clear();
-  text += verdict_html(opinion, exercise.language(),
-                       opinion.hint.empty() ? "" : in_html("A hint: " + opinion.hint, exercise.language()));
-  if (const auto weight = rules.weights.find(exercise.id); weight != rules.weights.end())
-    text += fmt::format("<p class=\"small\">Marks: {} of {}{}{}</p>\n",
-                        row.opinion.outcome == Outcome::undecided ? "?" : mark_text(mark.marks),
-                        mark_text(weight->second),
-                        mark.attempts > 1 ? fmt::format(", after {} attempts", mark.attempts) : "",
-                        mark.is_late ? "; handed in after the deadline" : "");
-  return text + "</section>\n";
+  passages.push_back(verdict_findings(opinion, exercise.language()));
+  if (!opinion.hint.empty()) say("A hint: " + opinion.hint);
+  const auto weight = rules.weights.find(exercise.id);
+  if (weight == rules.weights.end()) return;
+  const Mark mark = mark_of(rules, student, row);
+  passages.push_back(Paragraph{fmt::format(
+      "Marks: {} of {}{}{}", opinion.outcome == Outcome::undecided ? "?" : mark_text(mark.marks),
+      mark_text(weight->second), mark.attempts > 1 ? fmt::format(", after {} attempts", mark.attempts) : "",
+      mark.is_late ? "; handed in after the deadline" : "")});
 }
 
 std::string feedback_page(const Classroom& room, const Student& student, const Rules& rules) {
-  std::string body, missing, others;
+  std::vector<Passage> passages;
+  std::vector<std::string> missing;
   double total = 0, out_of = 0;
   for (const auto& exercise : room.exercises) {
     bool there = false;
     for (const auto& row : student.rows)
       if (row.is_judged() && row.exercise == exercise.id) {
-        body += section(exercise, rules, student, row);
+        add_section(exercise, rules, student, row, passages);
         total += mark_of(rules, student, row).marks;
         there = true;
       }
     const auto weight = rules.weights.find(exercise.id);
     if (weight == rules.weights.end()) continue;
     out_of += weight->second;
-    if (!there) missing += (missing.empty() ? "" : ", ") + escaped(exercise.title);
+    if (!there) missing.push_back(literal(exercise.title));
   }
+  BulletList others;
   for (const auto& row : student.rows)
     if (!row.is_judged() && row.trouble != Trouble::not_handed_in)
-      others += "<li>" + (row.exercise.empty() ? "" : "<code>" + shown(row.exercise, 100) + "</code>: ") +
-                words_of(row.opinion.note.word) + "</li>\n";
-  if (!others.empty()) body += "<h2>Not judged</h2>\n<ul>\n" + others + "</ul>\n";
-  if (!missing.empty()) body += "<h2>Not handed in</h2>\n<p>" + missing + "</p>\n";
-  return page(shown(student.name, 200),
-              fmt::format("<p>Marks: {} of {}</p>\n", mark_text(total), mark_text(out_of)) + body);
+      others.items.push_back((row.exercise.empty() ? "" : as_code(row.exercise, 100) + ": ") +
+                             words_of(row.opinion.note.word));
+  if (!others.items.empty()) {
+    passages.push_back(Heading{"Not judged"});
+    passages.push_back(others);
+  }
+  if (!missing.empty()) {
+    passages.push_back(Heading{"Not handed in"});
+    passages.push_back(Paragraph{joined(missing, ", ")});
+  }
+  passages.insert(passages.begin(),
+                  Paragraph{fmt::format("Marks: {} of {}", mark_text(total), mark_text(out_of))});
+  return page(room, cut(student.name, 200), passages);
 }
 
 using Slips = std::map<std::string, Seen>;
 
-std::string table_of(const Slips& slips, const std::string& heading,
-                     const std::function<std::string(const Seen&)>& last) {
-  std::string text = "<table>\n<tr><th>slip</th><th>times</th><th>" + heading + "</th></tr>\n";
+Table table_of(const Slips& slips, const std::string& heading,
+               const std::function<std::string(const Seen&)>& last) {
+  Table table{{"slip", "times", heading}, {}};
   for (const auto& [note, seen] : by_frequency(slips, &Seen::times))
-    text +=
-        fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td></tr>\n", words_of(note), seen.times, last(seen));
-  return text + "</table>\n";
+    table.rows.push_back({words_of(note), std::to_string(seen.times), last(seen)});
+  return table;
 }
 
+/// The three most frequent answers.
 std::string typical_answers(const Seen& seen) {
-  std::string text;
-  std::size_t shown_of = 0;
-  for (const auto& [answer, times] : by_frequency(seen.answers, std::identity())) {
-    if (shown_of++ == 3) break;
-    text += (text.empty() ? "" : "<br>") + ("<code>" + shown(answer, 120) + "</code>") +
-            (times > 1 ? fmt::format(" × {}", times) : "");
-  }
-  return text;
+  auto answers = by_frequency(seen.answers, std::identity());
+  answers.resize(std::min<std::size_t>(answers.size(), 3));
+  return joined(answers, ", ", [](const auto& answer) {
+    return as_code(answer.first, 120) + (answer.second > 1 ? fmt::format(" × {}", answer.second) : "");
+  });
 }
 
 }  // namespace
@@ -147,21 +158,19 @@ std::string report_page(const Classroom& room, const std::vector<Student>& stude
       all[note].times += seen.times;
       all[note].exercises.insert(exercise);
     }
-  std::string body =
-      fmt::format("<p>{} students, {} exercises with answers.</p>\n", students.size(), tallies.size());
-  body += "<h2>Slips, the most common first</h2>\n" + table_of(all, "in", [](const Seen& seen) {
-            return escaped(fmt::format("{}", fmt::join(seen.exercises, ", ")));
-          });
+  std::vector<Passage> passages{
+      Paragraph{fmt::format("{} students, {} exercises with answers.", students.size(), tallies.size())},
+      Heading{"Slips, the most common first"},
+      table_of(all, "in", [](const Seen& seen) { return joined(seen.exercises, ", ", literal); })};
   for (const auto& exercise : room.exercises) {
     const auto found = tallies.find(exercise.id);
     if (found == tallies.end()) continue;
     const Tally& tally = found->second;
-    body += fmt::format("<section>\n<h2>{}</h2>\n<p>{} of {} answers are right.</p>\n",
-                        escaped(exercise.title), tally.correct, tally.answers);
-    if (!tally.slips.empty()) body += table_of(tally.slips, "typical answers", typical_answers);
-    body += "</section>\n";
+    passages.push_back(Heading{literal(exercise.title)});
+    passages.push_back(Paragraph{fmt::format("{} of {} answers are right.", tally.correct, tally.answers)});
+    if (!tally.slips.empty()) passages.push_back(table_of(tally.slips, "typical answers", typical_answers));
   }
-  return page("What the class makes of the exercises", body);
+  return page(room, "What the class makes of the exercises", passages);
 }
 
 }  // namespace rederive::classroom

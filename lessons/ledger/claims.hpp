@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <lessons/page/lesson.hpp>
 #include <map>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
@@ -58,14 +59,13 @@ JudgedClaim judge(const Claim& claim, const Claims& claims);
 /// {"claims": [{"id", "where", "statement", "verdict", "printed", "found", "explanation", "expected",
 /// "method"}]}
 nlohmann::ordered_json claims_json(const std::vector<JudgedClaim>& judged);
-/// A few lines a claim, counts by verdict at the end; `colour` for terminals.
-std::string claims_table(const std::vector<JudgedClaim>& judged, bool colour);
-/// All about one claim.
-std::string claim_page(const JudgedClaim& judged, bool colour);
+/// Returns a few lines for each claim and counts by verdict at the end; everything about it if there is one
+/// alone.
+std::vector<Passage> claims_passages(const std::vector<JudgedClaim>& judged);
 
 /// `ledger claims [ID] [--json]`: decides all claims, or the one with that id, and writes them to standard
 /// output. Returns the exit code: 1 if a verdict differs from the expected one. Throws BadInput for an id
 /// that does not exist, and for a file that cannot be used.
-int show_claims(const Claims& claims, const std::string& id, bool json);
+int show_claims(const Paper& paper, const Claims& claims, const std::string& id, bool json);
 
 }  // namespace rederive

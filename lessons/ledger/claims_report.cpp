@@ -5,23 +5,12 @@
 #include <derivations/program/program.hpp>
 #include <lessons/ledger/claims.hpp>
 #include <lessons/page/prose.hpp>
+#include <lessons/page/render.hpp>
 #include <nlohmann/json.hpp>
 
 namespace rederive {
 
 namespace {
-
-constexpr std::size_t width = 100;
-
-std::string painted(const std::string& text, ClaimVerdict verdict, bool colour) {
-  if (!colour) return text;
-  const char* code = verdict == refuted ? "31" : verdict == confirmed ? "32" : "33";
-  return fmt::format("\033[{}m{}\033[0m", code, text);
-}
-
-std::string unexpected(const JudgedClaim& judged) {
-  return judged.as_expected() ? "" : "   <- expected " + judged.claim.expected;
-}
 
 std::vector<Claim> asked_for(const std::string& id, const Claims& from) {
   std::vector<Claim> claims = read_claims(from);
@@ -49,52 +38,55 @@ nlohmann::ordered_json claims_json(const std::vector<JudgedClaim>& judged) {
   return {{"claims", list}};
 }
 
-std::string claims_table(const std::vector<JudgedClaim>& judged, bool colour) {
-  const std::string margin(7, ' ');
-  std::string text;
-  std::map<std::string, int> counts;
-  for (const JudgedClaim& one : judged) {
-    const Claim& claim = one.claim;
-    const std::string verdict = to_string(one.verdict);
-    ++counts[verdict];
-    text +=
-        fmt::format("{:<6} {}  {}{}\n", claim.id, painted(fmt::format("{:<9}", verdict), one.verdict, colour),
-                    claim.where, unexpected(one));
-    text += wrap(claim.statement, width, margin, margin) +
-            wrap(one.found, width, margin + "-> ", margin + "   ") + "\n";
-  }
-  text += fmt::format("{} claims:", judged.size());
-  for (const auto& [verdict, count] : counts) text += fmt::format(" {} {},", count, verdict);
-  text.back() = '\n';
-  return text;
-}
+namespace {
 
-std::string claim_page(const JudgedClaim& judged, bool colour) {
+/// The verdict on a claim with what was found; the `whole` of it says also what that means and how it is
+/// decided.
+Findings findings(const JudgedClaim& judged, bool whole) {
   const Claim& claim = judged.claim;
-  std::string text = fmt::format("{}  {}\n\n", claim.id, claim.where);
-  const auto line = [&](const std::string& name, const std::string& value) {
-    if (!value.empty()) text += wrap(value, width, fmt::format("  {:<12} ", name), std::string(15, ' '));
+  const std::string verdict = to_string(judged.verdict);
+  Findings found{.headline = fmt::format("{}: {}, {}{}", claim.id, verdict, claim.where,
+                                         judged.as_expected() ? "" : "   <- expected " + claim.expected),
+                 .lines = {},
+                 .kind = "ledger " + verdict};
+  const auto add = [&](const std::string& label, const std::string& words) {
+    if (!words.empty()) found.lines.push_back({.label = label, .words = literal(words)});
   };
-  line("the paper", claim.statement);
-  line("printed", claim.printed);
-  text += fmt::format("  {:<12} {}{}\n", "verdict",
-                      painted(to_string(judged.verdict), judged.verdict, colour), unexpected(judged));
-  line("found", judged.found);
-  line("that means", judged.explanation);
-  line("decided by", claim.method);
-  return text;
+  add("the paper", claim.statement);
+  if (whole) add("printed", claim.printed);
+  add("found", judged.found);
+  if (whole) add("that means", judged.explanation);
+  if (whole) add("decided by", claim.method);
+  return found;
 }
 
-int show_claims(const Claims& claims, const std::string& id, bool json) {
+}  // namespace
+
+std::vector<Passage> claims_passages(const std::vector<JudgedClaim>& judged) {
+  if (judged.size() == 1) return {findings(judged[0], true)};
+  std::vector<Passage> passages;
+  std::map<ClaimVerdict, int> counts;
+  for (const JudgedClaim& one : judged) {
+    passages.push_back(findings(one, false));
+    ++counts[one.verdict];
+  }
+  passages.push_back(
+      Paragraph{fmt::format("{} claims: {}", judged.size(), joined(counts, ", ", [](const auto& count) {
+                              return fmt::format("{} {}", count.second, to_string(count.first));
+                            }))});
+  return passages;
+}
+
+int show_claims(const Paper& paper, const Claims& claims, const std::string& id, bool json) {
   std::vector<JudgedClaim> judged;
   for (const Claim& claim : asked_for(id, claims)) {
     if (is_lively(2)) fmt::print(stderr, "\r{:<8}", claim.id);
     judged.push_back(judge(claim, claims));
   }
   if (is_lively(2)) fmt::print(stderr, "\r{:<8}\r", "");
-  const std::string text = json         ? claims_json(judged).dump(2) + "\n"
-                           : id.empty() ? claims_table(judged, is_lively(1))
-                                        : claim_page(judged.front(), is_lively(1));
+  const Setting setting{.paper = paper, .width = 100, .lively = is_lively(1)};
+  const std::string text =
+      json ? claims_json(judged).dump(2) + "\n" : make_renderer(setting)->passages(claims_passages(judged));
   std::fputs(text.c_str(), stdout);
   const bool fine =
       std::all_of(judged.begin(), judged.end(), [](const JudgedClaim& one) { return one.as_expected(); });

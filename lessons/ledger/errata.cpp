@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 #include <lessons/ledger/report.hpp>
 #include <lessons/page/prose.hpp>
 #include <lessons/page/render.hpp>
@@ -33,112 +34,76 @@ std::vector<Entry> those_refuted(const std::vector<Entry>& entries) {
   return sorted;
 }
 
-std::vector<std::string> last_steps(const Entry& entry, const Symbols& symbols, Notation notation,
-                                    const char* open, const char* close) {
+/// The last steps of the derivation, each with its formula: words with `$...$`, and names in them as
+/// `written` makes them.
+std::vector<std::string> last_steps(
+    const Entry& entry, const Symbols& symbols,
+    const std::function<std::string(const Step&, const std::string&)>& written) {
   std::vector<std::string> lines;
   if (!entry.derivation) return lines;
   const auto& steps = entry.derivation->steps;
   for (std::size_t k = steps.size() > 3 ? steps.size() - 3 : 0; k < steps.size(); ++k) {
-    const bool words = steps[k].left.is_zero() && steps[k].right.is_zero();
+    const bool is_words = steps[k].left.is_zero() && steps[k].right.is_zero();
     const Relation formula{{to_tree(steps[k].left, symbols), to_tree(steps[k].right, symbols)},
                            {steps[k].relation}};
-    const std::string says = joined(step_spans(steps[k].says, symbols), "", [&](const Span& span) {
-      if (span.kind == Span::Kind::math) return open + print_inline(span.text, notation, symbols) + close;
-      return notation == Notation::latex ? latex_escaped(span.text) : span.text;
-    });
-    lines.push_back(says +
-                    (words ? "" : std::string(" ") + open + print(formula, notation, symbols) + close));
+    lines.push_back(written(steps[k], is_words ? "" : print(formula)));
   }
   return lines;
 }
 
-std::string text_sheet(const std::vector<Entry>& wrong, const Paper& paper) {
-  std::string text;
-  for (const Entry& entry : wrong) {
-    text += fmt::format(
-        "({})  {}{}{}\n  printed    {}\n  corrected  {}\n", entry.row.id, entry.row.section,
-        entry.row.error.empty() ? "" : ": ", entry.row.error,
-        print(parse_statement(entry.row.printed, paper.symbols), Notation::unicode, paper.symbols),
-        print(parse_statement(entry.correction, paper.symbols), Notation::unicode, paper.symbols));
-    for (const auto& line : last_steps(entry, paper.symbols, Notation::unicode, "", ""))
-      text += "  why        " + line + "\n";
-    if (entry.proof.witness)
-      text += fmt::format("  witness    {}\n             printed {}\n             derived {}\n",
-                          joined(in_words(*entry.proof.witness), ", "), entry.proof.witness->printed,
-                          entry.proof.witness->derived);
-    if (!entry.row.consequence.empty()) text += fmt::format("  so         {}\n", entry.row.consequence);
-    text += '\n';
-  }
-  return text + counted(wrong.size(), "error") + ".\n";
+/// Words and formulas in our own syntax.
+std::string typed(const Step& step, const std::string& formula, const Symbols& symbols) {
+  const std::string says = joined(step_spans(step.says, symbols), "", [&](const Span& span) {
+    return span.kind == Span::Kind::math ? print_inline(span.text, Notation::plain, symbols) : span.text;
+  });
+  return says + (formula.empty() ? "" : " " + formula);
 }
 
-std::string markdown_sheet(const std::vector<Entry>& wrong, const Paper& paper) {
-  std::string text = "# Errata: " + paper.title + "\n\n";
+std::vector<Passage> sheet(const std::vector<Entry>& wrong, const Paper& paper) {
+  std::vector<Passage> passages;
   for (const Entry& entry : wrong) {
-    text += fmt::format(
-        "## Equation ({})\n\n{}. Kind of error: "
-        "{}.\n\nPrinted:\n\n$$\n{}\n$$\n\nCorrect:\n\n$$\n{}\n$$\n\nDerivation:\n\n",
-        entry.row.id, entry.row.section, entry.row.error,
-        print(parse_statement(entry.row.printed, paper.symbols), Notation::latex, paper.symbols),
-        print(parse_statement(entry.correction, paper.symbols), Notation::latex, paper.symbols));
-    for (const auto& line : last_steps(entry, paper.symbols, Notation::latex, "$", "$"))
-      text += "1. " + line + "\n";
-    if (entry.proof.witness)
-      text += fmt::format("\nWitness: at `{}` the printed side is `{}`, the derived one `{}`.\n",
-                          joined(in_words(*entry.proof.witness), ", "), entry.proof.witness->printed,
-                          entry.proof.witness->derived);
-    text += fmt::format("\nConsequence: {}\n\n", entry.row.consequence);
-  }
-  return text;
-}
-
-std::string latex_sheet(const std::vector<Entry>& wrong, const Paper& paper) {
-  std::string text =
-      "\\documentclass[a4paper]{article}\n\\usepackage[T1]{fontenc}\n\\usepackage{amsmath}\n\\usepackage["
-      "margin=22mm]{geometry}\n"
-      "\\setlength{\\parindent}{0pt}\\sloppy\n\\title{Errata: " +
-      latex_escaped(paper.title) +
-      "}\n"
-      "\\author{}\\date{}\n\\begin{document}\n\\maketitle\n";
-  const auto display = [](const std::string& formula) {
-    return fmt::format(
-        "\\[\\resizebox{{\\ifdim\\width>\\linewidth\\linewidth\\else\\width\\fi}}{{!}}{{$\\displaystyle "
-        "{}$}}\\]\n",
-        formula);
-  };
-  for (const Entry& entry : wrong) {
-    text += fmt::format(
-        "\\section*{{Equation ({})}}\n{}. Kind of error: {}.\n\nPrinted:\n{}Correct:\n{}",
-        latex_escaped(entry.row.id), latex_escaped(entry.row.section), latex_escaped(entry.row.error),
-        display(print(parse_statement(entry.row.printed, paper.symbols), Notation::latex, paper.symbols)),
-        display(print(parse_statement(entry.correction, paper.symbols), Notation::latex, paper.symbols)));
-    const auto lines = last_steps(entry, paper.symbols, Notation::latex, "$", "$");
-    if (!lines.empty()) {
-      text += "Derivation:\n\\begin{enumerate}\n";
-      for (const auto& line : lines) text += "\\item " + line + "\n";
-      text += "\\end{enumerate}\n";
+    Findings found{
+        .headline = entry.row.section + (entry.row.error.empty() ? "" : ": " + entry.row.error),
+        .lines = {{.label = "printed", .formula = parse_statement(entry.row.printed, paper.symbols)},
+                  {.label = "correct", .formula = parse_statement(entry.correction, paper.symbols)}},
+        .kind = "ledger refuted",
+        .row = entry.row.id};
+    const auto add = [&](const std::string& label, const std::string& words) {
+      if (!words.empty()) found.lines.push_back({.label = label, .words = words});
+    };
+    const auto sentence = [&](const Step& step, const std::string& formula) {
+      return marked(step.says, paper) + (formula.empty() ? "" : " $" + formula + "$");
+    };
+    for (const std::string& line : last_steps(entry, paper.symbols, sentence)) add("why", line);
+    if (const auto& witness = entry.proof.witness) {
+      add("witness", literal(joined(in_words(*witness), ", ")));
+      add("then the printed form is", literal(witness->printed));
+      add("and the derived one", literal(witness->derived));
     }
-    if (entry.proof.witness)
-      text += fmt::format("Witness: at {}\\\\ printed {}\\\\ derived {}.\n\n",
-                          latex_escaped(joined(in_words(*entry.proof.witness), ", ")),
-                          entry.proof.witness->printed, entry.proof.witness->derived);
-    text += "Consequence: " + latex_escaped(entry.row.consequence) + "\n\n";
+    add("consequence", literal(entry.row.consequence));
+    passages.push_back(Heading{"Equation (" + literal(entry.row.id) + ")"});
+    passages.push_back(std::move(found));
   }
-  text.replace(text.find("\\usepackage{amsmath}"), 20, "\\usepackage{amsmath,graphicx}");
-  return text + "\\end{document}\n";
+  passages.push_back(Paragraph{counted(wrong.size(), "error") + "."});
+  return passages;
 }
 
 }  // namespace
 
 std::string errata(const std::vector<Entry>& entries, const std::string& format, const Paper& paper) {
   const std::vector<Entry> wrong = those_refuted(entries);
-  if (format == "markdown") return markdown_sheet(wrong, paper);
-  if (format == "latex") return latex_sheet(wrong, paper);
-  if (format == "text") return text_sheet(wrong, paper);
+  if (format != "json") {
+    static const std::map<std::string, Format> formats{
+        {"text", Format::unicode}, {"markdown", Format::markdown}, {"latex", Format::latex}};
+    return rendered({"Errata: " + paper.title}, sheet(wrong, paper),
+                    {.paper = paper, .format = formats.at(format)});
+  }
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
   for (const Entry& entry : wrong) {
     nlohmann::ordered_json item = to_json(entry);
-    item["why"] = last_steps(entry, paper.symbols, Notation::plain, "", "");
+    item["why"] = last_steps(entry, paper.symbols, [&](const Step& step, const std::string& formula) {
+      return typed(step, formula, paper.symbols);
+    });
     list.push_back(item);
   }
   return nlohmann::ordered_json{{"errata", list}, {"count", wrong.size()}}.dump(2) + "\n";

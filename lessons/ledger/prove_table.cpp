@@ -12,9 +12,13 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+constexpr auto refused = "refused";  ///< what is expected of an input that cannot be used
+
 TableRow read_row(TomlTable& table) {
-  const std::vector<std::string> verdicts{"proved",  "proved_under", "approximation",
-                                          "refuted", "undecided",    "refused"};
+  std::vector<std::string> verdicts{refused};
+  for (const Verdict verdict :
+       {Verdict::proved, Verdict::proved_under, Verdict::approximation, Verdict::refuted, Verdict::undecided})
+    verdicts.push_back(to_string(verdict));
   TableRow row;
   row.group = table.needed_line("group");
   row.why = table.line("why");
@@ -64,7 +68,7 @@ std::vector<DecidedRow> decide_table(const Paper& paper, const std::vector<Table
       const auto proof = decide_bounded(paper, row.request);
       decided.push_back({row, proof["verdict"], proof["reason"].is_string() ? proof["reason"] : ""});
     } catch (const BadInput& error) {
-      decided.push_back({row, "refused", error.what()});
+      decided.push_back({row, refused, error.what()});
     }
   }
   if (is_lively(2)) fmt::print(stderr, "\r{:20}\r", "");
@@ -100,7 +104,7 @@ std::string table_page(const std::vector<DecidedRow>& rows) {
       group = groups.insert(
           group,
           {row.group, "| left | right | assumed | verdict | why it is here |\n|---|---|---|---|---|\n"});
-    ++counts[row.limit && verdict == "undecided" ? "undecided, though true" : verdict];
+    ++counts[row.limit && verdict == to_string(Verdict::undecided) ? "undecided, though true" : verdict];
     group->second += fmt::format("| {} | {} | {} | {}{} | {} |\n", cell(row.request.left),
                                  cell(row.request.right), assumptions(row.request), verdict,
                                  verdict == row.expected ? "" : " (**expected " + row.expected + "**)",

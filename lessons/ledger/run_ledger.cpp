@@ -142,7 +142,8 @@ int show_proof(const Options& options) {
                       "right", json["witness"]["derived"].get<std::string>()));
     }
   }
-  return verdict == "refuted" ? not_as_expected : verdict == "undecided" ? undecided_or_failed : as_expected;
+  if (verdict == to_string(Verdict::refuted)) return not_as_expected;
+  return verdict == to_string(Verdict::undecided) ? undecided_or_failed : as_expected;
 }
 
 int show_table(const Options& options) {
@@ -304,7 +305,7 @@ int run_ledger(const std::function<Paper()>& paper, int argc, char** argv,
       if (!claims) throw BadInput("claims: this paper has no claims; only its equations are judged");
       Claims all = claims();
       if (!options.claims.empty()) all.file = options.claims;
-      return show_claims(all, options.id, options.json);
+      return show_claims(made(paper), all, options.id, options.json);
     }
     options.paper = made(paper);
     if (!*proving) take_rows(options);

@@ -1,7 +1,8 @@
-// Figures: gnuplot does the drawing, for lines, curves and lettering alike.
+// What other programs contribute to a page: the pictures of gnuplot, the output of a command, the workbench.
 #include <fmt/format.h>
 
 #include <cstdio>
+#include <derivations/program/data_folder.hpp>
 #include <derivations/program/program.hpp>
 #include <lessons/page/render.hpp>
 #include <numerics/pictures/gnuplot.hpp>
@@ -52,6 +53,14 @@ std::optional<std::filesystem::path> draw(const Figure& figure, const std::strin
   const auto file = folder / (figure.name + "." + kind);
   write_whole(file, *picture);
   return file;
+}
+
+std::string workbench_element(const std::string& options) {
+  const auto opening = read_if_there(data_folder() / "workbench_opening.html"),
+             element = read_if_there(data_folder() / "workbench_element.html");
+  if (!opening || !element)
+    throw std::runtime_error("the workbench is not built: run cmake --build build --target workbench");
+  return fmt::format(fmt::runtime(*opening), escaped(options)) + *element;
 }
 
 }  // namespace rederive

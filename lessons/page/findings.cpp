@@ -62,13 +62,17 @@ std::string headline(const Entry& entry) {
   return text;
 }
 
-std::vector<Remark> findings(const Entry& entry, const Paper& paper) {
-  std::vector<Remark> lines;
+Findings findings(const Entry& entry, const Paper& paper) {
+  Findings result{.headline = "The ledger on " + headline(entry),
+                  .lines = {},
+                  .kind = "ledger " + to_string(entry.proof.verdict),
+                  .row = entry.row.id};
   const auto formula = [&](const std::string& label, const std::string& text) {
-    if (!text.empty()) lines.push_back({label, parse_statement(text, paper.symbols), ""});
+    if (!text.empty())
+      result.lines.push_back({.label = label, .formula = parse_statement(text, paper.symbols)});
   };
   const auto words = [&](const std::string& label, const std::string& text) {
-    if (!text.empty()) lines.push_back({label, {}, text});
+    if (!text.empty()) result.lines.push_back({.label = label, .words = text});
   };
   formula("printed", entry.row.printed);
   formula("correct", entry.correction);
@@ -85,7 +89,7 @@ std::vector<Remark> findings(const Entry& entry, const Paper& paper) {
   if (entry.proof.verdict == Verdict::undecided) words("why", marked(entry.proof.reason, paper));
   words("consequence", entry.proof.verdict == Verdict::refuted ? marked(entry.row.consequence, paper) : "");
   words("text repaired", marked(entry.row.scan_repaired, paper));
-  return lines;
+  return result;
 }
 
 }  // namespace rederive

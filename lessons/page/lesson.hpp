@@ -1,60 +1,19 @@
 // What a lesson is made of.
 //
-// A lesson is a list of steps, each a function that writes on a Page when its turn comes: sentences, formulas
-// computed at that moment, the ledger's verdicts, tables, figures, things to try. The renderers turn a page
-// into text for a terminal, LaTeX, Markdown or HTML; a lesson knows nothing about them.
+// A lesson is a list of steps. Each step is a function that writes passages on a Page: sentences, formulas
+// computed at that moment, verdicts of the ledger, tables, figures, things to try. The renderers turn them
+// into text for a terminal, LaTeX, Markdown, a notebook or HTML; a lesson knows nothing about formats.
 #pragma once
 
 #include <derivations/paper/ledger.hpp>
+#include <lessons/page/passages.hpp>
 #include <map>
 #include <set>
 #include <string>
 #include <utility>
-#include <variant>
 #include <vector>
 
 namespace rederive {
-
-/// Sentences. `$...$` is mathematics in our own syntax, `*...*` emphasis, and backquotes enclose what is
-/// typed.
-struct Paragraph {
-  std::string text;
-};
-/// A displayed relation (or expression), with the paper's number if it has one.
-struct Formula {
-  Relation relation;
-  std::string number;
-  std::string mark = {};  ///< "," or ".", where it is part of a sentence
-};
-/// What the ledger found about one row, computed when the step ran.
-struct Judgement {
-  Entry entry;
-};
-struct Table {
-  std::vector<std::string> header;
-  std::vector<std::vector<std::string>> rows;
-};
-/// A picture: gnuplot commands without terminal and output. The name becomes the file's name.
-struct Figure {
-  std::string name, caption, script;
-};
-/// Commands to type, one a line; or, in a web page, the workbench at the case that they ask for.
-struct Commands {
-  std::vector<std::string> lines;
-  std::string workbench = {};  ///< options of `rocking response`
-};
-/// A list of points, each like a Paragraph.
-struct BulletList {
-  std::vector<std::string> items;
-};
-
-/// A row as a lemma of Coq, with its proof: folded where a page can fold, else where to find it.
-struct CoqLemma {
-  std::string id, text;
-  std::string where;  ///< the command that prints it, or its name and file
-};
-
-using Passage = std::variant<Paragraph, Formula, Judgement, Table, Figure, Commands, BulletList, CoqLemma>;
 
 /// What a step writes on, about a paper. An id that the ledger does not have throws std::out_of_range that
 /// names it. Values in our syntax may be put in for symbols: {{"theta", "0"}, {"u_gddot", "g*tan(alpha)"}};

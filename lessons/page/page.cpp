@@ -1,8 +1,11 @@
 #include <algorithm>
 #include <cctype>
 #include <derivations/kernel/scripts.hpp>
+#include <derivations/program/data_folder.hpp>
+#include <derivations/program/toml_table.hpp>
 #include <lessons/page/lesson.hpp>
 #include <lessons/page/prose.hpp>
+#include <lessons/page/render.hpp>
 #include <stdexcept>
 #include <utility>
 
@@ -146,7 +149,7 @@ void Page::argue(const Derivation& with_ids, const std::string& id, const std::s
   }
 }
 
-void Page::verdict(const std::string& id) { blocks_.push_back(Judgement{judged(paper_, id)}); }
+void Page::verdict(const std::string& id) { blocks_.push_back(findings(judged(paper_, id), paper_)); }
 
 void Page::compare(const Relation& left, const Relation& right) {
   const Proof proof = decide(left, right, paper_.symbols);
@@ -160,17 +163,40 @@ void Page::compare(const Relation& left, const Relation& right) {
 void Page::lemma(const std::string& id) {
   for (const Lemma& theorem : shipped_theorems(paper_))
     if (theorem.name == id)
-      return void(blocks_.push_back(CoqLemma{theorem.id, text_of(theorem),
-                                             "`" + id + "` in `derivations/kernel/" + theorem.file + "`"}));
+      return void(blocks_.push_back(Theorem{theorem.id, text_of(theorem),
+                                            "`" + id + "` in `derivations/kernel/" + theorem.file + "`"}));
   const auto found = lemma_of(paper_, judged(paper_, id));
   if (!found || found->text.empty())
     throw std::invalid_argument("there is no lemma of equation (" + id + ")");
-  blocks_.push_back(CoqLemma{id, found->text, "`build/bin/ledger show " + id + " --coq`"});
+  blocks_.push_back(Theorem{id, found->text, "`build/bin/ledger show " + id + " --coq`"});
 }
 
 void Page::workbench(const std::string& options) {
   say("This case, to play with:");
   blocks_.push_back(Commands{{"build/bin/rocking response " + options}, options});
+}
+
+Coverage read_coverage(const Paper& paper) {
+  constexpr int most_lessons = 99;
+  std::vector<std::string> ids;
+  for (const Row& row : rows_of(paper)) ids.push_back(row.id);
+  Coverage lessons;
+  for (TomlTable& table : tables_of(data_folder() / "equations_of_lessons.toml", "lesson")) {
+    const auto number = table.whole("number", 1, most_lessons);
+    const std::vector<std::string> equations = table.texts("equations");
+    table.done();
+    if (!number) table.fail("'number' is missing");
+    for (const std::string& id : equations) table.check_word("equations", id, ids);
+    if (!lessons.emplace(static_cast<int>(*number), equations).second)
+      table.fail(fmt::format("lesson {} is listed twice", *number), "number");
+  }
+  return lessons;
+}
+
+int lesson_with(const std::string& id, const Coverage& coverage) {
+  for (const auto& [lesson, ids] : coverage)
+    if (std::ranges::find(ids, id) != ids.end()) return lesson;
+  return 0;
 }
 
 }  // namespace rederive

@@ -4,6 +4,7 @@
 #include <derivations/decide/decide.hpp>
 #include <derivations/language/functions.hpp>
 #include <lessons/page/prose.hpp>
+#include <map>
 #include <optional>
 #include <regex>
 #include <set>
@@ -14,30 +15,6 @@ namespace rederive {
 namespace {
 
 constexpr std::string_view no_break = "\u00A0";
-
-std::string sign_text(const std::string& sign, Notation notation) {
-  if (notation == Notation::unicode) return sign == "<=" ? "≤" : sign == ">=" ? "≥" : sign;
-  if (notation == Notation::latex) return sign == "<=" ? "\\le" : sign == ">=" ? "\\ge" : sign;
-  return sign;
-}
-
-/// The terms of a side, each with its sign; one piece if the side is no sum.
-std::vector<std::string> terms(const Tree& side, Notation notation, const Symbols& symbols) {
-  if (side->kind != Node::Kind::sum) return {print(side, notation, symbols)};
-  std::vector<std::string> result;
-  const std::string minus = notation == Notation::unicode ? "−" : "-";
-  const auto enclosed = [&](const std::string& text) {
-    return notation == Notation::latex ? "\\left(" + text + "\\right)" : "(" + text + ")";
-  };
-  for (std::size_t i = 0; i < side->children.size(); ++i) {
-    const Tree& term = side->children[i];
-    const bool is_sum = term->kind == Node::Kind::sum, is_negative = term->kind == Node::Kind::negative;
-    std::string text = print(term, notation, symbols);
-    if (is_sum || (is_negative && i > 0)) text = enclosed(text);
-    result.push_back(i == 0 ? text : (side->inverse[i] ? minus : "+") + (" " + text));
-  }
-  return result;
-}
 
 constexpr std::array<std::pair<std::string_view, std::string_view>, 65> ascii_names{
     {{"α", "alpha"},    {"β", "beta"},      {"θ", "theta"},  {"φ", "phi"},    {"ψ", "psi"},
@@ -172,22 +149,56 @@ std::vector<std::string> paragraphs(std::string_view text) {
   return result;
 }
 
+constexpr std::string_view marks = "$`*[\\";
+
 std::vector<Span> spans(std::string_view sentence) {
+  static const std::map<char, Span::Kind> kinds{
+      {'$', Span::Kind::math}, {'`', Span::Kind::code}, {'*', Span::Kind::emphasis}, {'[', Span::Kind::link}};
   std::vector<Span> result;
-  const auto kind_of = [](char c) {
-    return c == '$' ? Span::Kind::math : c == '`' ? Span::Kind::code : Span::Kind::emphasis;
+  std::size_t at = 0;
+  /// Takes the text up to an end that is not escaped; nothing if there is none.
+  const auto take = [&](std::string_view end) -> std::optional<std::string> {
+    std::string text;
+    for (std::size_t k = at; k < sentence.size(); ++k) {
+      if (sentence.substr(k).starts_with(end)) {
+        at = k + end.size();
+        return text;
+      }
+      if (sentence[k] == '\\' && k + 1 < sentence.size() && marks.find(sentence[k + 1]) != marks.npos) ++k;
+      text += sentence[k];
+    }
+    return std::nullopt;
   };
-  for (std::size_t at = 0; at < sentence.size();) {
-    const std::size_t mark = sentence.find_first_of("$`*", at);
-    if (mark != at) result.push_back({Span::Kind::text, std::string(sentence.substr(at, mark - at))});
-    if (mark == std::string_view::npos) break;
-    const std::size_t close = sentence.find(sentence[mark], mark + 1);
-    if (close == std::string_view::npos)
+  const auto add_text = [&](char c) {
+    if (result.empty() || result.back().kind != Span::Kind::text) result.push_back({Span::Kind::text, ""});
+    result.back().text += c;
+  };
+  while (at < sentence.size()) {
+    const char c = sentence[at++];
+    const auto kind = kinds.find(c);
+    if (kind == kinds.end()) {
+      const bool is_escape = c == '\\' && at < sentence.size() && marks.find(sentence[at]) != marks.npos;
+      add_text(is_escape ? sentence[at++] : c);
+      continue;
+    }
+    const std::size_t start = at;
+    const auto text = take(c == '[' ? "](" : std::string_view(&c, 1));
+    const auto target = c == '[' && text ? take(")") : std::string();
+    if (text && target) {
+      result.push_back({kind->second, *text, *target});
+    } else if (c == '[') {  // an interval
+      at = start;
+      add_text(c);
+    } else {
       throw std::invalid_argument("a mark ($, * or `) is not closed in: " + std::string(sentence));
-    result.push_back({kind_of(sentence[mark]), std::string(sentence.substr(mark + 1, close - mark - 1))});
-    at = close + 1;
+    }
   }
   return result;
+}
+
+std::string literal(std::string_view text) {
+  return joined(text, "",
+                [](char c) { return (marks.find(c) == marks.npos ? "" : "\\") + std::string(1, c); });
 }
 
 std::string print_statement(const Relation& relation, Notation notation, const Symbols& symbols) {
@@ -261,20 +272,47 @@ std::string marked(const std::string& words, const Paper& paper) {
   });
 }
 
-std::vector<std::string> pieces(const Relation& relation, Notation notation, const Symbols& symbols) {
-  std::vector<std::string> result;
+std::vector<Piece> pieces(const Relation& relation) {
+  std::vector<Piece> result;
   for (std::size_t i = 0; i < relation.sides.size(); ++i) {
-    auto side = terms(relation.sides[i], notation, symbols);
-    if (i > 0) side.front() = sign_text(relation.operators[i - 1], notation) + " " + side.front();
-    result.insert(result.end(), side.begin(), side.end());
+    const Tree& side = relation.sides[i];
+    const bool is_sum = side->kind == Node::Kind::sum;
+    for (std::size_t k = 0; k < (is_sum ? side->children.size() : 1); ++k) {
+      const Tree& term = is_sum ? side->children[k] : side;
+      const std::string between = i == 0 ? "" : relation.operators[i - 1];
+      const bool is_enclosed =
+          is_sum && (term->kind == Node::Kind::sum || (k > 0 && term->kind == Node::Kind::negative));
+      result.push_back({k == 0 ? between : side->inverse[k] ? "-" : "+", term, is_enclosed});
+    }
   }
   return result;
+}
+
+std::string print(const Piece& piece, Notation notation, const Symbols& symbols) {
+  std::string text = print(piece.term, notation, symbols);
+  if (piece.is_enclosed)
+    text = notation == Notation::latex ? "\\left(" + text + "\\right)" : "(" + text + ")";
+  return piece.sign.empty() ? text : sign_text(piece.sign, notation) + " " + text;
+}
+
+std::string sign_text(const std::string& sign, Notation notation) {
+  static const std::map<std::string, std::pair<std::string, std::string>> signs{
+      {"<=", {"≤", "\\le"}}, {">=", {"≥", "\\ge"}}, {"-", {"−", "-"}}};
+  const auto found = signs.find(sign);
+  if (found == signs.end() || notation == Notation::plain) return sign;
+  return notation == Notation::unicode ? found->second.first : found->second.second;
 }
 
 std::string glued(const std::string& text) {
   std::string result;
   for (char c : text) result += c == ' ' ? std::string(no_break) : std::string(1, c);
   return result;
+}
+
+std::string unglued(std::string text) {
+  for (std::size_t at; (at = text.find(no_break)) != std::string::npos;)
+    text.replace(at, no_break.size(), " ");
+  return text;
 }
 
 std::string to_ascii(std::string_view text, const Symbols& symbols) {
@@ -312,8 +350,7 @@ std::string wrap(std::string_view words, std::size_t width, const std::string& f
     used += columns(word);
     fresh = false;
   }
-  for (std::size_t at; (at = result.find(no_break)) != std::string::npos;) result.replace(at, 2, " ");
-  return result + "\n";
+  return unglued(result) + "\n";
 }
 
 }  // namespace rederive

@@ -12,15 +12,19 @@ namespace rederive {
 
 /// A stretch of a sentence.
 struct Span {
-  enum class Kind { text, math, code, emphasis };
+  enum class Kind { text, math, code, emphasis, link };
   Kind kind;
-  std::string text;  ///< without its marks; mathematics in our own syntax
+  std::string text;         ///< without its marks; mathematics in our own syntax
+  std::string target = {};  ///< of a link
 };
 
 /// Text between blank lines, with the white space inside made single blanks.
 std::vector<std::string> paragraphs(std::string_view text);
-/// Takes a sentence apart. Throws std::invalid_argument if a mark is not closed, quoting the sentence.
+/// Takes a sentence apart; passages.hpp lists the marks. Throws std::invalid_argument, with the sentence, if
+/// a mark is not closed.
 std::vector<Span> spans(std::string_view sentence);
+/// Any text as a sentence, or as the part of one, in which no character is a mark.
+std::string literal(std::string_view text);
 
 /// A relation or expression in one of the notations of print.
 std::string print_statement(const Relation& relation, Notation notation, const Symbols& symbols);
@@ -30,9 +34,18 @@ std::string print_inline(const std::string& text, Notation notation, const Symbo
 /// A sentence without its marks, mathematics in that notation.
 std::string unmarked(const std::string& sentence, Notation notation, const Symbols& symbols);
 
-/// The places where a long formula may be broken: before a relation sign and before a term of a sum. Joined
-/// with blanks, the pieces are the whole formula.
-std::vector<std::string> pieces(const Relation& relation, Notation notation, const Symbols& symbols);
+/// A part of a long formula, with the sign before it: a relation sign, "+", "-", or none at the beginning.
+struct Piece {
+  std::string sign;
+  Tree term;
+  bool is_enclosed = false;  ///< in parentheses
+};
+/// Breaks a formula before its relation signs and before the terms of its sums.
+std::vector<Piece> pieces(const Relation& relation);
+/// A piece as text. Joined with blanks, the pieces are the whole formula.
+std::string print(const Piece& piece, Notation notation, const Symbols& symbols);
+/// A relation sign, "+" or "-" as a notation writes it.
+std::string sign_text(const std::string& sign, Notation notation);
 
 /// Words of a derivation's step taken apart: what stands between $…$ and can be read is mathematics, all else
 /// is text.
@@ -47,6 +60,8 @@ std::string marked(const std::string& words, const Paper& paper);
 std::string to_ascii(std::string_view text, const Symbols& symbols);
 /// Blanks made no-break spaces, so that wrap keeps the text in one piece.
 std::string glued(const std::string& text);
+/// The same with blanks again.
+std::string unglued(std::string text);
 /// Texts as one, with the same between them; `say` makes a text of an item.
 template <class Items, class Say = std::identity>
 std::string joined(const Items& items, std::string_view between, Say say = {}) {

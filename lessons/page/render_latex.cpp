@@ -39,102 +39,92 @@ constexpr auto latex_signs =
 
 class LatexRenderer : public Renderer {
  public:
-  explicit LatexRenderer(const Setting& setting) : setting_(setting) {}
+  using Renderer::Renderer;
 
-  std::string begin(const Lesson& lesson) override {
-    const std::string ids = numbers_of(setting_.equations_of(lesson));
-    return preamble +
-           fmt::format("\\title{{Lesson {}. {}}}\n\\author{{}}\\date{{}}\n\\begin{{document}}\n\\maketitle\n",
-                       lesson.number, latex_escaped(lesson.title)) +
-           "\\textbf{Teaches:} " + flat(lesson.teaches) + "\n\n\\textbf{Builds on:} " +
-           flat(lesson.builds_on) + "\n" + (ids.empty() ? "" : "\n\\textbf{Equations:} " + ids + "\n");
+  std::string begin(const Front& front) override {
+    const auto line = [this](const auto& about) {
+      return "\\textbf{" + about.first + ":} " + flat(about.second) + "\n";
+    };
+    return fmt::format("{}\\title{{{}}}\n\\author{{}}\\date{{}}\n\\begin{{document}}\n\\maketitle\n",
+                       preamble, latex_escaped(front.title)) +
+           joined(front.about, "\n", line);
   }
 
-  std::string step(std::size_t, const std::string& heading, const Page& page) override {
-    std::string text = "\n\\section{" + latex_escaped(heading) + "}\n";
-    for (const auto& block : page.blocks())
-      text += "\n" + std::visit([this](const auto& part) { return this->render(part); }, block);
-    return text;
-  }
-
-  std::string end(const Lesson&) override { return "\n\\end{document}\n"; }
+  std::string end() override { return "\n\\end{document}\n"; }
 
  private:
-  std::string flat(const std::string& sentence) const {
-    std::string text;
-    for (const auto& span : spans(sentence)) {
-      if (span.kind == Span::Kind::math)
-        text += "$" + print_inline(span.text, Notation::latex, setting_.paper.symbols) + "$";
-      else if (span.kind == Span::Kind::code)
-        text += "\\texttt{" + latex_escaped(span.text) + "}";
-      else if (span.kind == Span::Kind::emphasis)
-        text += "\\emph{" + latex_escaped(span.text) + "}";
-      else
-        text += latex_escaped(span.text);
-    }
-    return text;
+  using Renderer::render;
+  static std::string environment(const std::string& name, const std::string& text) {
+    return "\\begin{" + name + "}" + text + "\\end{" + name + "}\n";
+  }
+  std::string latex(const Relation& relation) const {
+    return print_statement(relation, Notation::latex, symbols());
   }
 
-  std::string render(const Paragraph& part) const { return flat(part.text) + "\n"; }
+  std::string math(const Relation& relation) override { return "$" + latex(relation) + "$"; }
+  std::string styled(const Span& span) override {
+    const std::string text = latex_escaped(span.text);
+    if (span.kind == Span::Kind::code) return "\\texttt{" + text + "}";
+    return span.kind == Span::Kind::emphasis ? "\\emph{" + text + "}" : text;
+  }
 
-  std::string render(const Formula& part) const {
-    const std::string formula =
-        print_statement(part.relation, Notation::latex, setting_.paper.symbols) + part.mark;
+  std::string render(const Heading& part) override {
+    return (part.number > 0 ? "\\section{" : "\\section*{") + flat(part.text) + "}\n";
+  }
+
+  std::string render(const Paragraph& part) override { return flat(part.text) + "\n"; }
+
+  std::string render(const Formula& part) override {
+    const std::string formula = latex(part.relation) + part.mark;
     return part.number.empty() ? "\\shown{" + formula + "}\n"
                                : "\\numbered{" + formula + "}{(" + part.number + ")}\n";
   }
 
-  std::string render(const Judgement& part) const {
-    std::string text =
-        "\\begin{quote}\\small\\textbf{The ledger on " + latex_escaped(headline(part.entry)) + "}\n";
-    for (const auto& line : findings(part.entry, setting_.paper))
-      text +=
-          "\\\\\\emph{" + line.label + ":} {\\raggedright " +
-          (line.formula ? "$\\displaystyle " +
-                              print_statement(*line.formula, Notation::latex, setting_.paper.symbols) + "$"
-                        : flat(line.words)) +
-          "}\n";
-    return text + "\\end{quote}\n";
+  std::string render(const Findings& part) override {
+    std::string text = "\\small\\textbf{" + latex_escaped(part.headline) + "}\n";
+    for (const auto& line : part.lines) {
+      const std::string words = line.verbatim.empty() ? flat(line.words) : latex_escaped(line.verbatim);
+      text += "\\\\" + (line.label.empty() ? "" : "\\emph{" + latex_escaped(line.label) + ":} ") +
+              "{\\raggedright " + (line.formula ? "$\\displaystyle " + latex(*line.formula) + "$" : words) +
+              "}\n";
+    }
+    return environment("quote", text);
   }
 
-  std::string row(const std::vector<std::string>& cells) const {
-    return joined(cells, " & ", [this](const std::string& cell) { return flat(cell); }) + " \\\\\n";
-  }
+  std::string row(const std::vector<std::string>& cells) { return joined(flat(cells), " & ") + " \\\\\n"; }
 
-  std::string render(const Table& part) const {
-    const std::string align(part.header.size(), 'l');
-    std::string text =
-        "\\begin{center}\\small\\begin{tabular}{" + align + "}\\hline\n" + row(part.header) + "\\hline\n";
+  std::string render(const Table& part) override {
+    const std::size_t count = part.rows.empty() ? part.header.size() : part.rows[0].size();
+    std::string text = "{" + std::string(count, 'l') + "}\\hline\n";
+    if (!part.header.empty()) text += row(part.header) + "\\hline\n";
     for (const auto& cells : part.rows) text += row(cells);
-    return text + "\\hline\\end{tabular}\\end{center}\n";
+    std::string table = environment("tabular", text + "\\hline");
+    table.pop_back();
+    return environment("center", "\\small" + table);
   }
 
-  std::string render(const Figure& part) const {
+  std::string render(const Figure& part) override {
     const auto picture = draw(part, "pdf", *setting_.figures);
     const std::string image = picture ? "\\includegraphics[width=.75\\linewidth]{" +
                                             printable_name(setting_.beside ? picture->filename() : *picture) +
                                             "}\\\\\n"
                                       : "";
-    return "\\begin{center}" + image + "\\small " + flat(part.caption) + "\\end{center}\n";
+    return environment("center", image + "\\small " + flat(part.caption));
   }
 
-  static std::string render(const Commands& part) {
-    std::string text = "\\begin{verbatim}\n";
-    for (const auto& line : part.lines) text += line + "\n";
-    return text + "\\end{verbatim}\n";
+  std::string render(const Commands& part) override {
+    return environment("verbatim", "\n" + joined(part.lines, "\n") + "\n");
   }
 
-  std::string render(const CoqLemma& part) const {
+  std::string render(const Theorem& part) override {
     return flat("(" + part.id + ") as a lemma of Coq: " + part.where) + "\n\n";
   }
 
-  std::string render(const BulletList& part) const {
-    std::string text = "\\begin{itemize}\n";
-    for (const auto& item : part.items) text += "\\item " + flat(item) + "\n";
-    return text + "\\end{itemize}\n";
+  std::string render(const BulletList& part) override {
+    return environment("itemize", "\n" + joined(flat(part.items), "", [](const std::string& item) {
+                                    return "\\item " + item + "\n";
+                                  }));
   }
-
-  Setting setting_;
 };
 
 }  // namespace

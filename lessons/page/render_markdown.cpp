@@ -3,155 +3,154 @@
 // notebook is the same text in cells, with cells of code for the commands: Python, where the module is there
 // and has a counterpart, else the shell.
 #include <fmt/format.h>
+#include <glob.h>
 
 #include <derivations/program/bad_input.hpp>
+#include <derivations/program/data_folder.hpp>
+#include <derivations/program/toml_table.hpp>
 #include <lessons/page/prose.hpp>
 #include <lessons/page/render.hpp>
 #include <nlohmann/json.hpp>
+#include <regex>
 
 namespace rederive {
 namespace {
 
+/// A rule of notebook_cells.toml: how a command is written in Python.
+struct Rule {
+  std::regex from;
+  std::string to;
+};
+
+Rule read_rule(TomlTable& table) {
+  const std::string from = table.needed_text("from"), to = table.text("to");
+  table.done();
+  try {
+    return {std::regex(from), to};
+  } catch (const std::regex_error& error) {
+    table.fail(fmt::format("'from' must be a regular expression: {}", error.what()), "from");
+  }
+}
+
 class MarkdownRenderer : public Renderer {
  public:
-  explicit MarkdownRenderer(const Setting& setting) : setting_(setting) {}
+  using Renderer::Renderer;
 
-  std::string begin(const Lesson& lesson) override {
-    const std::string ids = numbers_of(setting_.equations_of(lesson));
-    std::string text = fmt::format("# Lesson {}. {}\n\n", lesson.number, lesson.title);
-    text += "**Teaches:** " + flat(lesson.teaches) + "\n\n**Builds on:** " + flat(lesson.builds_on) + "\n";
-    return ids.empty() ? text : text + "\n**Equations:** " + ids + "\n";
-  }
-
-  std::string step(std::size_t number, const std::string& heading, const Page& page) override {
-    std::string text = fmt::format("\n## {}. {}\n", number, heading);
-    for (const auto& block : page.blocks()) text += render_passage(block);
-    return text;
-  }
-
-  std::string end(const Lesson&) override { return ""; }
-
- protected:
-  const Setting& setting() const { return setting_; }
-  std::string render_passage(const Passage& passage) const {
-    return "\n" + std::visit([this](const auto& part) { return this->render(part); }, passage);
+  std::string begin(const Front& front) override {
+    return "# " + front.title + "\n" + joined(front.about, "", [this](const auto& about) {
+             return "\n**" + about.first + ":** " + flat(about.second) + "\n";
+           });
   }
 
  private:
+  using Renderer::render;
   bool is_notebook() const { return setting_.format == Format::notebook; }
-  std::string inline_math(const std::string& latex) const {
-    return is_notebook() ? "$" + latex + "$" : "$`" + latex + "`$";
+  std::string latex(const Relation& relation) const {
+    return print_statement(relation, Notation::latex, symbols());
   }
 
-  std::string flat(const std::string& sentence) const {
-    std::string text;
-    for (const auto& span : spans(sentence)) {
-      if (span.kind == Span::Kind::math)
-        text += inline_math(print_inline(span.text, Notation::latex, setting_.paper.symbols));
-      else if (span.kind == Span::Kind::code)
-        text += "`" + span.text + "`";
-      else if (span.kind == Span::Kind::emphasis)
-        text += "*" + span.text + "*";
-      else
-        for (char c : span.text) text += c == '_' || c == '<' ? std::string("\\") + c : std::string(1, c);
+  std::string math(const Relation& relation) override {
+    return is_notebook() ? "$" + latex(relation) + "$" : "$`" + latex(relation) + "`$";
+  }
+  std::string styled(const Span& span) override {
+    if (span.kind == Span::Kind::code) return "`" + span.text + "`";
+    if (span.kind == Span::Kind::emphasis) return "*" + span.text + "*";
+    const std::string words =
+        joined(span.text, "", [](char c) { return (c == '_' || c == '<' ? "\\" : "") + std::string(1, c); });
+    return span.kind == Span::Kind::link ? "[" + words + "](" + span.target + ")" : words;
+  }
+
+  std::string render(const Heading& part) override {
+    return fmt::format("## {}{}\n", part.number > 0 ? fmt::format("{}. ", part.number) : "", flat(part.text));
+  }
+
+  std::string render(const Paragraph& part) override { return flat(part.text) + "\n"; }
+
+  std::string render(const Formula& part) override {
+    const std::string tag = part.number.empty() ? "" : " \\tag{" + part.number + "}";
+    const std::string formula = latex(part.relation) + (part.mark.empty() ? "" : "\\," + part.mark) + tag;
+    return is_notebook() ? "$$" + formula + "$$\n" : "```math\n" + formula + "\n```\n";
+  }
+
+  std::string render(const Findings& part) override {
+    std::string text = "> **" + part.headline + "**\n";
+    for (const auto& line : part.lines) {
+      const std::string words = line.verbatim.empty() ? flat(line.words) : "`" + line.verbatim + "`";
+      text += fmt::format(">\n> {}{}\n", line.label.empty() ? "" : "*" + line.label + ":* ",
+                          line.formula ? math(*line.formula) : words);
     }
     return text;
   }
 
-  std::string render(const Paragraph& part) const { return flat(part.text) + "\n"; }
-
-  std::string render(const Formula& part) const {
-    const std::string tag = part.number.empty() ? "" : " \\tag{" + part.number + "}";
-    const std::string mark = part.mark.empty() ? "" : "\\," + part.mark;
-    const std::string formula =
-        print_statement(part.relation, Notation::latex, setting_.paper.symbols) + mark + tag;
-    return is_notebook() ? "$$" + formula + "$$\n" : "```math\n" + formula + "\n```\n";
+  std::string row(const std::vector<std::string>& cells) {
+    return "| " + joined(flat(cells), " | ") + " |\n";
   }
 
-  std::string render(const Judgement& part) const {
-    std::string text = "> **The ledger on " + headline(part.entry) + "**\n";
-    for (const auto& line : findings(part.entry, setting_.paper))
-      text += fmt::format(
-          ">\n> *{}:* {}\n", line.label,
-          line.formula ? inline_math(print_statement(*line.formula, Notation::latex, setting_.paper.symbols))
-                       : flat(line.words));
-    return text;
-  }
-
-  std::string row(const std::vector<std::string>& cells) const {
-    return "| " + joined(cells, " | ", [this](const std::string& cell) { return flat(cell); }) + " |\n";
-  }
-
-  std::string render(const Table& part) const {
-    std::string text = row(part.header) + "|";
-    for (std::size_t i = 0; i < part.header.size(); ++i) text += "---|";
+  std::string render(const Table& part) override {
+    const std::size_t count = part.rows.empty() ? part.header.size() : part.rows[0].size();
+    std::string text = row(part.header.empty() ? std::vector<std::string>(count) : part.header) + "|";
+    for (std::size_t i = 0; i < count; ++i) text += "---|";
     text += "\n";
     for (const auto& cells : part.rows) text += row(cells);
     return text;
   }
 
-  std::string render(const Figure& part) const {
+  std::string render(const Figure& part) override {
     const auto picture = draw(part, "svg", *setting_.figures);
-    const std::string caption = flat(part.caption);
-    return (picture ? fmt::format("![{}]({})\n\n",
-                                  unmarked(part.caption, Notation::unicode, setting_.paper.symbols),
-                                  printable_name(setting_.beside ? picture->filename() : *picture))
-                    : std::string()) +
-           caption + "\n";
+    const std::string image =
+        picture ? fmt::format("![{}]({})\n\n", unmarked(part.caption, Notation::unicode, symbols()),
+                              printable_name(setting_.beside ? picture->filename() : *picture))
+                : "";
+    return image + flat(part.caption) + "\n";
   }
 
-  static std::string render(const Commands& part) {
-    std::string text = "```sh\n";
-    for (const auto& line : part.lines) text += line + "\n";
-    return text + "```\n";
+  std::string render(const Commands& part) override {
+    return "```sh\n" + joined(part.lines, "\n") + "\n```\n";
   }
 
-  static std::string render(const CoqLemma& part) {
+  std::string render(const Theorem& part) override {
     return "<details>\n<summary>(" + part.id + ") as a lemma of Coq</summary>\n\n```coq\n" + part.text +
            "```\n\n</details>\n";
   }
 
-  std::string render(const BulletList& part) const {
-    std::string text;
-    for (const auto& item : part.items) text += "- " + flat(item) + "\n";
-    return text;
+  std::string render(const BulletList& part) override {
+    return joined(flat(part.items), "", [](const std::string& item) { return "- " + item + "\n"; });
   }
-
-  Setting setting_;
 };
 
 class NotebookRenderer : public MarkdownRenderer {
  public:
   using MarkdownRenderer::MarkdownRenderer;
 
-  std::string begin(const Lesson& lesson) override {
+  std::string begin(const Front& front) override {
     const char* how =
-        setting().module
-            ? "The code calls the Python module `rederive`: installed, on the `PYTHONPATH` "
-              "(`build/python`), or beside the programs. Have those of `build/bin` on the `PATH`."
-            : "The code runs the programs of `build/bin`: have it on the `PATH`. The Python "
-              "module `rederive` was not built; see the README.";
-    add("markdown", MarkdownRenderer::begin(lesson) + "\n" + how + "\n");
+        setting_.module ? "The code calls the Python module `rederive`: installed, on the `PYTHONPATH` "
+                          "(`build/python`), or beside the programs. Have those of `build/bin` on the `PATH`."
+                        : "The code runs the programs of `build/bin`: have it on the `PATH`. The Python "
+                          "module `rederive` was not built; see the README.";
+    add("markdown", MarkdownRenderer::begin(front) + "\n" + how + "\n");
     return "";
   }
 
-  std::string step(std::size_t number, const std::string& heading, const Page& page) override {
-    std::string text = MarkdownRenderer::step(number, heading, Page(page.paper()));
-    for (const auto& block : page.blocks()) {
-      const auto* commands = std::get_if<Commands>(&block);
+  std::string passages(const std::vector<Passage>& passages) override {
+    std::vector<Passage> text;
+    const auto end_text = [&] {
+      if (!text.empty()) add("markdown", MarkdownRenderer::passages(std::exchange(text, {})));
+    };
+    for (const Passage& passage : passages) {
+      const auto* commands = std::get_if<Commands>(&passage);
       if (commands == nullptr || commands->lines.empty()) {
-        text += render_passage(block);
-        continue;
+        text.push_back(passage);
+      } else {
+        end_text();
+        add(*commands);
       }
-      if (!text.empty()) add("markdown", text);
-      text.clear();
-      add(*commands);
     }
-    if (!text.empty()) add("markdown", text);
+    end_text();
     return "";
   }
 
-  std::string end(const Lesson&) override {
+  std::string end() override {
     const Json kernel{{"name", "python3"}, {"display_name", "Python 3"}, {"language", "python"}};
     return Json{{"cells", cells_},
                 {"metadata", {{"kernelspec", kernel}, {"language_info", {{"name", "python"}}}}},
@@ -169,7 +168,7 @@ class NotebookRenderer : public MarkdownRenderer {
     static constexpr std::string_view folder = "build/bin/";
     for (const auto& line : commands.lines) {
       const std::string command = line.substr(line.starts_with(folder) ? folder.size() : 0);
-      const auto python = setting().module ? in_python(command) : std::nullopt;
+      const auto python = setting_.module ? in_python(command) : std::nullopt;
       if (python && !std::exchange(has_import_, true)) add("code", *in_python("import"));
       add("code", python.value_or("%%sh --no-raise-error\n" + command));  // no failure: an unexpected verdict
     }
@@ -179,7 +178,10 @@ class NotebookRenderer : public MarkdownRenderer {
     const std::size_t first = text.find_first_not_of('\n'), last = text.find_last_not_of('\n');
     Json cell{
         {"id", fmt::format("cell-{}", cells_.size() + 1)}, {"cell_type", type}, {"metadata", Json::object()}};
-    if (type == "code") cell["execution_count"] = nullptr, cell["outputs"] = Json::array();
+    if (type == "code") {
+      cell["execution_count"] = nullptr;
+      cell["outputs"] = Json::array();
+    }
     cell["source"] = text.substr(first, last - first + 1);
     cells_.push_back(cell);
   }
@@ -193,6 +195,25 @@ class NotebookRenderer : public MarkdownRenderer {
 std::unique_ptr<Renderer> markdown_renderer(const Setting& setting) {
   if (setting.format == Format::notebook) return std::make_unique<NotebookRenderer>(setting);
   return std::make_unique<MarkdownRenderer>(setting);
+}
+
+std::optional<std::string> in_python(const std::string& command) {
+  std::string text = command;
+  for (TomlTable& table : tables_of(data_folder() / "notebook_cells.toml", "rule")) {
+    const Rule rule = read_rule(table);
+    text = std::regex_replace(text, rule.from, rule.to);
+  }
+  const bool is_command = text.starts_with(command.substr(0, command.find(' ')));
+  return is_command ? std::nullopt : std::optional(text);
+}
+
+bool is_module_there() {
+  const std::string prefix = loaded_from().parent_path().parent_path(),
+                    files = prefix + "/{,lib/}python*/{,dist-packages/}rederive/_numbers.*.so";
+  glob_t found;
+  const bool there = ::glob(files.c_str(), GLOB_BRACE, nullptr, &found) == 0;
+  ::globfree(&found);
+  return there;
 }
 
 }  // namespace rederive

@@ -11,75 +11,65 @@ namespace {
 class TextRenderer : public Renderer {
  public:
   explicit TextRenderer(const Setting& setting)
-      : setting_(setting),
+      : Renderer(setting),
         plain_(setting.format == Format::plain),
         notation_(plain_ ? Notation::plain : Notation::unicode) {}
 
-  std::string begin(const Lesson& lesson) override {
-    const std::string title = fmt::format("Lesson {}. {}", lesson.number, lesson.title);
-    std::string text = strong(title) + "\n" + rule(title, plain_ ? "=" : "═") + "\n\n";
-    text += wrap(flat("Teaches: " + lesson.teaches), setting_.width, "", "  ");
-    text += wrap(flat("Builds on: " + lesson.builds_on), setting_.width, "", "  ");
-    const std::string ids = numbers_of(setting_.equations_of(lesson));
-    if (!ids.empty()) text += wrap("Equations: " + ids, setting_.width, "", "  ");
+  std::string begin(const Front& front) override {
+    std::string text = strong(front.title) + "\n" + rule(front.title, plain_ ? "=" : "═") + "\n\n";
+    for (const auto& [label, sentence] : front.about)
+      text += wrap(label + ": " + flat(sentence), setting_.width, "", "  ");
     return ascii(text);
   }
 
-  std::string step(std::size_t number, const std::string& heading, const Page& page) override {
-    const std::string title = fmt::format("{}. {}", number, heading);
-    std::string text = "\n" + strong(title) + "\n" + rule(title, plain_ ? "-" : "─") + "\n";
-    for (const auto& block : page.blocks())
-      text += "\n" + std::visit([this](const auto& part) { return this->render(part); }, block);
-    return ascii(text);
+  std::string passages(const std::vector<Passage>& passages) override {
+    return ascii(Renderer::passages(passages));
   }
 
-  std::string end(const Lesson&) override {
+  std::string end() override {
     return setting_.next.empty() ? "" : "\n" + ascii("Next: ") + "build/bin/" + setting_.next + "\n";
   }
 
  private:
-  std::string ascii(const std::string& text) const {
-    return plain_ ? to_ascii(text, setting_.paper.symbols) : text;
-  }
+  using Renderer::render;
+  std::string ascii(const std::string& text) const { return plain_ ? to_ascii(text, symbols()) : text; }
   std::string strong(const std::string& text) const {
     return setting_.lively ? "\033[1m" + text + "\033[0m" : text;
   }
-  std::string rule(const std::string& under, const std::string& sign) const {
+  static std::string rule(const std::string& under, const std::string& sign) {
     std::string line;
     for (std::size_t i = 0; i < columns(under); ++i) line += sign;
     return line;
   }
 
-  /// A sentence without its marks, mathematics kept in one piece unless it is long.
-  std::string flat(const std::string& sentence) const {
-    std::string text;
-    for (const auto& span : spans(sentence)) {
-      if (span.kind == Span::Kind::math) {
-        const std::string formula = print_inline(span.text, notation_, setting_.paper.symbols);
-        text += columns(formula) > 30 ? formula : glued(formula);
-      } else if (span.kind == Span::Kind::emphasis && setting_.lively) {
-        text += "\033[3m" + span.text + "\033[0m";
-      } else if (span.kind == Span::Kind::code) {
-        text += plain_ ? "'" + glued(span.text) + "'" : glued(span.text);
-      } else {
-        text += span.text;
-      }
-    }
-    return text;
+  /// Mathematics in a sentence is kept in one piece unless it is long.
+  std::string math(const Relation& relation) override {
+    const std::string formula = print_statement(relation, notation_, symbols());
+    return columns(formula) > 30 ? formula : glued(formula);
+  }
+
+  std::string styled(const Span& span) override {
+    if (span.kind == Span::Kind::emphasis && setting_.lively) return "\033[3m" + span.text + "\033[0m";
+    if (span.kind == Span::Kind::code) return plain_ ? "'" + glued(span.text) + "'" : glued(span.text);
+    return span.text;
   }
 
   std::string broken(const Relation& relation, const std::string& first, const std::string& rest) const {
-    std::string text;
-    for (const auto& piece : pieces(relation, notation_, setting_.paper.symbols)) {
-      const bool fits = columns(piece) + columns(rest) <= setting_.width;
-      text += (text.empty() ? "" : " ") + (fits ? glued(piece) : piece);
-    }
-    return wrap(text, setting_.width, first, rest);
+    const auto part = [&](const Piece& piece) {
+      const std::string text = print(piece, notation_, symbols());
+      return columns(text) + columns(rest) <= setting_.width ? glued(text) : text;
+    };
+    return wrap(joined(pieces(relation), " ", part), setting_.width, first, rest);
   }
 
-  std::string render(const Paragraph& part) const { return wrap(flat(part.text), setting_.width, "", ""); }
+  std::string render(const Heading& part) override {
+    const std::string text = (part.number > 0 ? fmt::format("{}. ", part.number) : "") + flat(part.text);
+    return strong(text) + "\n" + rule(text, plain_ ? "-" : "─") + "\n";
+  }
 
-  std::string render(const Formula& part) const {
+  std::string render(const Paragraph& part) override { return wrap(flat(part.text), setting_.width, "", ""); }
+
+  std::string render(const Formula& part) override {
     std::string text = broken(part.relation, "    ", "      ");
     text.insert(text.size() - 1, part.mark);
     if (part.number.empty()) return text;
@@ -92,67 +82,62 @@ class TextRenderer : public Renderer {
     return text + std::string(gap, ' ') + label + "\n";
   }
 
-  std::string render(const Judgement& part) const {
-    const std::string bar = plain_ ? "  | " : "  │ ";
-    std::string text = bar + strong("The ledger on " + headline(part.entry)) + "\n";
-    for (const auto& line : findings(part.entry, setting_.paper)) {
-      const std::string label = fmt::format("{}{}: ", bar, line.label);
-      const std::string rest = bar + "    ";
-      text += line.formula ? broken(*line.formula, label, rest)
-                           : wrap(flat(line.words), setting_.width, label, rest);
+  std::string render(const Findings& part) override {
+    const std::string bar = plain_ ? "  | " : "  │ ", rest = bar + "    ";
+    std::string text = bar + strong(part.headline) + "\n";
+    for (const auto& line : part.lines) {
+      const std::string label = bar + (line.label.empty() ? "" : line.label + ": ");
+      text += line.formula            ? broken(*line.formula, label, rest)
+              : line.verbatim.empty() ? wrap(flat(line.words), setting_.width, label, rest)
+                                      : label + line.verbatim + "\n";
     }
     return text;
   }
 
-  std::string render(const Table& part) const {
-    std::vector<std::vector<std::string>> cells{part.header};
-    cells.insert(cells.end(), part.rows.begin(), part.rows.end());
-    std::vector<std::size_t> widths(part.header.size(), 0);
+  std::string render(const Table& part) override {
+    std::vector<std::vector<std::string>> cells{flat(part.header)};
+    for (const auto& row : part.rows) cells.push_back(flat(row));
+    std::vector<std::size_t> widths;
     for (auto& row : cells)
       for (std::size_t i = 0; i < row.size(); ++i) {
-        row[i] = flat(row[i]);
-        for (std::size_t at; (at = row[i].find("\u00A0")) != std::string::npos;) row[i].replace(at, 2, " ");
+        row[i] = unglued(row[i]);
+        widths.resize(std::max(widths.size(), i + 1), 0);
         widths[i] = std::max(widths[i], columns(row[i]));
       }
     std::string text;
-    for (std::size_t r = 0; r < cells.size(); ++r) {
+    for (std::size_t r = part.header.empty() ? 1 : 0; r < cells.size(); ++r) {
       std::string line = "  ";
       for (std::size_t i = 0; i < cells[r].size(); ++i)
         line += cells[r][i] + std::string(widths[i] - columns(cells[r][i]) + 2, ' ');
       while (line.back() == ' ') line.pop_back();
       text += line + "\n";
       if (r > 0) continue;
-      for (std::size_t i = 0; i < widths.size(); ++i)
-        text += "  " + rule(std::string(widths[i], 'x'), plain_ ? "-" : "─");
+      for (const std::size_t width : widths) text += "  " + rule(std::string(width, 'x'), plain_ ? "-" : "─");
       text += "\n";
     }
     return text;
   }
 
-  std::string render(const Figure& part) const {
+  std::string render(const Figure& part) override {
     const auto picture = draw(part, "svg", *setting_.figures);
     const std::string where = picture ? picture->filename().string() : "no picture: gnuplot is not installed";
     return "  [Figure] " + where + "\n" + wrap(flat(part.caption), setting_.width, "  ", "  ");
   }
 
-  std::string render(const Commands& part) const {
-    std::string text;
-    for (const auto& line : part.lines) text += "    " + line + "\n";
-    return text;
+  std::string render(const Commands& part) override {
+    return joined(part.lines, "", [](const std::string& line) { return "    " + line + "\n"; });
   }
 
-  std::string render(const CoqLemma& part) const {
+  std::string render(const Theorem& part) override {
     return wrap(flat("(" + part.id + ") as a lemma of Coq: " + part.where), setting_.width, "  ", "  ");
   }
 
-  std::string render(const BulletList& part) const {
-    std::string text;
-    for (const auto& item : part.items)
-      text += wrap(flat(item), setting_.width, plain_ ? "  - " : "  • ", "    ");
-    return text;
+  std::string render(const BulletList& part) override {
+    return joined(flat(part.items), "", [this](const std::string& item) {
+      return wrap(item, setting_.width, plain_ ? "  - " : "  • ", "    ");
+    });
   }
 
-  Setting setting_;
   bool plain_;
   Notation notation_;
 };

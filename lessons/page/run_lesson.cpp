@@ -10,6 +10,7 @@
 #include <lessons/page/render.hpp>
 #include <lessons/page/run_lesson.hpp>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <optional>
 
 namespace rederive {
@@ -20,7 +21,7 @@ namespace fs = std::filesystem;
 struct Flags {
   bool list = false, quiet = false;
   std::optional<int> step;
-  std::string format = "unicode", out;
+  std::string format = "unicode", out, forms;
 };
 
 const std::map<std::string, Format> formats{{"unicode", Format::unicode},   {"plain", Format::plain},
@@ -42,8 +43,17 @@ std::size_t terminal_width() {
   return std::clamp<std::size_t>(size.ws_col, 40, 100);
 }
 
-Setting setting_from(const Paper& paper, const Flags& flags) {
+/// Reads the forms of exercises that `exercises serve` writes for a page, and the script that serves them.
+void read_forms(const std::string& file, Setting& setting) {
+  const auto json = nlohmann::json::parse(read_whole(file));
+  setting.script = json.at("script");
+  for (const auto& form : json.at("forms"))
+    setting.forms.push_back({form.at("id"), form.at("lesson"), form.at("html")});
+}
+
+Setting setting_from(const Paper& paper, const Lesson& lesson, const Flags& flags) {
   Setting setting{.paper = paper};
+  setting.lesson = lesson.number;
   setting.format = formats.at(flags.format);
   setting.width = terminal_width();
   setting.lively = flags.out.empty() && is_lively(1) && setting.format == Format::unicode;
@@ -54,13 +64,14 @@ Setting setting_from(const Paper& paper, const Flags& flags) {
   setting.next = neighbour(setting.lessons, +1);
   setting.module = is_module_there();
   if (!flags.list) setting.coverage = read_coverage(paper);
+  if (!flags.forms.empty()) read_forms(flags.forms, setting);
   return setting;
 }
 
 /// The verdict on each equation of the lesson, one a line; 1 if one is not as expected.
 int verdicts(const Lesson& lesson, const Setting& setting, std::string& text) {
   int code = as_expected;
-  for (const auto& id : setting.equations_of(lesson)) {
+  for (const auto& id : setting.equations_of(lesson.number)) {
     const Entry entry = judged(setting.paper, id);
     const bool expected = entry.row.expected == to_string(entry.proof.verdict);
     if (!expected) code = not_as_expected;
@@ -76,18 +87,56 @@ std::string contents(const Lesson& lesson) {
   return text;
 }
 
-/// Hands on each part as soon as it is there.
+/// The rows that the lesson covers first and shows nowhere, for links to them: what was derived, or what is
+/// printed of a definition.
+std::vector<Passage> other_rows(const Lesson& lesson, const Setting& setting,
+                                const std::vector<Passage>& shown) {
+  const auto is_about = [](const std::string& id) {
+    return [&id](const Passage& passage) {
+      const auto* formula = std::get_if<Formula>(&passage);
+      const auto* found = std::get_if<Findings>(&passage);
+      return (formula != nullptr && formula->number == id) || (found != nullptr && found->row == id);
+    };
+  };
+  std::vector<Passage> rest;
+  for (const std::string& id : setting.equations_of(lesson.number)) {
+    if (lesson_with(id, setting.coverage) != lesson.number || std::ranges::any_of(shown, is_about(id)) ||
+        std::ranges::any_of(rest, is_about(id)))
+      continue;
+    const Entry entry = judged(setting.paper, id);
+    rest.push_back(Formula{entry.derivation ? derived_relation(*entry.derivation, setting.paper.symbols)
+                                            : parse_relation(entry.row.claim(), setting.paper.symbols),
+                           id});
+  }
+  if (!rest.empty())
+    rest.insert(rest.begin(), {Heading{"Other equations of this lesson"},
+                               Paragraph{"The steps to each: `build/bin/ledger show` and its number."}});
+  return rest;
+}
+
+/// Writes each part as soon as it is computed.
 void write_lesson(const Lesson& lesson, const Flags& flags, const Setting& setting,
                   const std::function<void(const std::string&)>& put) {
   const auto renderer = make_renderer(setting);
-  if (!flags.step) put(renderer->begin(lesson));
+  Front front{fmt::format("Lesson {}. {}", lesson.number, lesson.title),
+              {{"Teaches", lesson.teaches}, {"Builds on", lesson.builds_on}}};
+  const std::string ids = numbers_of(setting.equations_of(lesson.number));
+  if (!ids.empty()) front.about.emplace_back("Equations", ids);
+  if (!flags.step) put(renderer->begin(front));
+  std::vector<Passage> shown;
   for (std::size_t i = 0; i < lesson.steps.size(); ++i) {
-    if (flags.step && *flags.step != static_cast<int>(i + 1)) continue;
+    const int number = static_cast<int>(i + 1);
+    if (flags.step && *flags.step != number) continue;
     Page page(setting.paper);
     lesson.steps[i].write(page);
-    put(renderer->step(i + 1, lesson.steps[i].heading, page));
+    std::vector<Passage> step = page.blocks();
+    step.insert(step.begin(), Heading{lesson.steps[i].heading, number});
+    put(renderer->passages(step));
+    shown.insert(shown.end(), step.begin(), step.end());
   }
-  if (!flags.step || flags.format == "notebook") put(renderer->end(lesson));
+  if (!flags.step && setting.format == Format::html)
+    put(renderer->passages(other_rows(lesson, setting, shown)));
+  if (!flags.step || setting.format == Format::notebook) put(renderer->end());
 }
 
 int run(const Paper& paper, const Lesson& lesson, const Flags& flags) {
@@ -98,7 +147,7 @@ int run(const Paper& paper, const Lesson& lesson, const Flags& flags) {
         fmt::format("--step must be from 1 to {1}, but it is {0}", *flags.step, lesson.steps.size()));
   if (!flags.out.empty() && !fs::is_directory(fs::absolute(flags.out).parent_path()))
     throw BadInput("--out " + printable_name(flags.out) + ": there is no such folder");
-  const Setting setting = setting_from(paper, flags);
+  const Setting setting = setting_from(paper, lesson, flags);
   std::string text;
   int code = as_expected;
   const auto put = [&](const std::string& part) {
@@ -133,8 +182,18 @@ std::vector<std::string> all_lessons() {
   return names;
 }
 
-std::vector<std::string> Setting::equations_of(const Lesson& lesson) const {
-  const auto found = coverage.find(lesson.number);
+std::map<std::string, std::string> titles_of_lessons() {
+  std::map<std::string, std::string> titles;
+  for (const std::string& lesson : all_lessons()) {
+    const Said said = said_by(in_quotes(loaded_from().parent_path() / lesson) + " --list");
+    if (said.status != 0) throw std::runtime_error(lesson + " failed");
+    titles[lesson] = said.text.substr(0, said.text.find('\n'));
+  }
+  return titles;
+}
+
+std::vector<std::string> Setting::equations_of(int lesson) const {
+  const auto found = coverage.find(lesson);
   return found == coverage.end() ? std::vector<std::string>() : found->second;
 }
 
@@ -150,6 +209,41 @@ std::unique_ptr<Renderer> make_renderer(const Setting& setting) {
     default:
       return text_renderer(setting);
   }
+}
+
+std::string Renderer::passages(const std::vector<Passage>& passages) {
+  return joined(passages, "", [this](const Passage& passage) {
+    return "\n" + std::visit([this](const auto& part) { return render(part); }, passage);
+  });
+}
+
+std::string Renderer::flat(const std::string& sentence) {
+  return joined(spans(sentence), "", [this](const Span& span) {
+    return span.kind == Span::Kind::math ? math(parse_statement(span.text, symbols())) : styled(span);
+  });
+}
+
+std::vector<std::string> Renderer::flat(const std::vector<std::string>& sentences) {
+  std::vector<std::string> texts;
+  for (const std::string& sentence : sentences) texts.push_back(flat(sentence));
+  return texts;
+}
+
+std::string Renderer::render(const Buttons& part) { return render(Paragraph{part.words}); }
+
+std::string Renderer::render(const ExerciseForm& part) {
+  std::vector<Passage> all{Paragraph{"*Exercise: " + literal(part.title) + "*"}};
+  all.insert(all.end(), part.statement.begin(), part.statement.end());
+  BulletList choices;
+  for (const auto& [value, sentence] : part.choices) choices.items.push_back(value + ") " + sentence);
+  all.push_back(part.choices.empty() ? Passage(Paragraph{part.prompt}) : Passage(choices));
+  return passages(all);
+}
+
+std::string rendered(const Front& front, const std::vector<Passage>& passages, const Setting& setting) {
+  const auto renderer = make_renderer(setting);
+  const std::string begin = renderer->begin(front), middle = renderer->passages(passages);
+  return begin + middle + renderer->end();
 }
 
 int run_lesson(const Paper& paper, const Lesson& lesson, int argc, char** argv) {
@@ -169,6 +263,7 @@ int run_lesson(const Paper& paper, const Lesson& lesson, int argc, char** argv) 
   app.add_option("--out", flags.out, "Write to this file. Default: standard output.")
       ->check(file_name)
       ->type_name("FILE");
+  app.add_option("--forms", flags.forms, "Put these forms of exercises into a web page.")->group("");
   const std::string program = argc > 0 ? printable_name(fs::path(argv[0]).filename()) : "lesson";
   app.footer(
       fmt::format("Examples:\n  $ {0} --step 2\n  $ {0} --format html --out lesson.html\n\n", program));

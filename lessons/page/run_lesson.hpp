@@ -2,13 +2,18 @@
 #pragma once
 
 #include <lessons/page/lesson.hpp>
+#include <map>
 
 namespace rederive {
 
 /// Parses the flags that all lessons share, and prints what they ask for of a lesson on `paper`. Returns the
 /// exit code.
 int run_lesson(const Paper& paper, const Lesson& lesson, int argc, char** argv);
-/// The programs of all lessons, in order: they stand beside the one that runs.
+/// Returns the names of the programs of all lessons, in order. They are in the folder of the program that
+/// runs.
 std::vector<std::string> all_lessons();
+/// Returns the titles of the lessons by their programs, as the programs print them: "Lesson 1. The block and
+/// its motion". Throws std::runtime_error if a program fails.
+std::map<std::string, std::string> titles_of_lessons();
 
 }  // namespace rederive

@@ -6,6 +6,7 @@
 //   exercises check ID "ANSWER"        or --file FILE, or --working FILE
 //   exercises hint ID · solution ID [--give-up] · reset ID
 //   exercises serve [--port N]         the lessons and their exercises in a browser
+//   exercises pages DIR                an index of the lessons and a page of all exercises
 //   exercises watch DIR                judges DIR/<ID>.txt again whenever it changes
 //   exercises grade DIR [--csv FILE]   DIR/<student>/<ID>.txt, a whole class; gradebook, feedback, report
 //   exercises selftest                 is the exercise set sound?
@@ -13,6 +14,7 @@
 #include <algorithm>
 #include <derivations/program/command_line.hpp>
 #include <lessons/exercises/grade.hpp>
+#include <lessons/exercises/in_page.hpp>
 #include <lessons/exercises/selftest.hpp>
 #include <lessons/exercises/serve.hpp>
 #include <lessons/exercises/watch.hpp>
@@ -86,6 +88,9 @@ void declare(CLI::App& app, Typed& given) {
       ->add_option("--port", given.port, "Listen on this port, from 0 to 65535. Default: 0, a free port.")
       ->check(whole_number)
       ->check(CLI::Range(0, 65535));
+  app.add_subcommand("pages", "Write an index of the lessons and a page of all exercises into a folder.")
+      ->add_option("DIR", given.folder, "Folder for index.html and exercises.html.")
+      ->required();
   auto* watch = app.add_subcommand("watch", "Judge the files of a folder whenever they change.");
   watch->add_option("DIR", given.folder, "Folder of your answers, DIR/<ID>.txt.")->required();
   watch->add_flag("--once", given.once, "Look once and stop.");
@@ -155,6 +160,7 @@ int run(const CLI::App& app, const Typed& given) {
   if (app.got_subcommand("solution")) return solution(room, given.id, given.give_up);
   if (app.got_subcommand("reset")) return reset(room, given.id);
   if (app.got_subcommand("serve")) return serve(room, given.port);
+  if (app.got_subcommand("pages")) return write_index(room, given.folder);
   if (app.got_subcommand("watch")) return watch(room, given.folder, given.once);
   if (app.got_subcommand("grade")) {
     GradeFlags flags = given.grade;

@@ -51,10 +51,10 @@ const digits = (x, n = 4) => String(Number(x.toPrecision(n))).replace("-", "−"
 /// Returns the words of `rocking` for a code.
 function wordsFor(code) {
   if (code === null) return "no pulse: the ground never pushes hard enough for rocking to start";
-  if (code === 0) return "safe";
-  const impacts = Math.abs(code) - 1;
-  return `overturns to θ ${code < 0 ? "<" : ">"} 0 ` +
-    (impacts === 0 ? "without impact" : impacts === 1 ? "after one impact" : `after ${impacts} impacts`);
+  if (code === 0) return outcomeWords.safe;
+  const impacts = Math.abs(code) - 1, [left, right] = outcomeWords.sides;
+  const how = outcomeWords.impacts[Math.min(impacts, 2)].replace("{}", impacts);
+  return outcomeWords.pattern.replace("{}", code < 0 ? left : right).replace("{}", how).replace("theta", "θ");
 }
 
 /// Returns the case and its outcome in words.

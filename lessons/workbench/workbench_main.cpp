@@ -1,5 +1,7 @@
-// Writes the workbench at build time: the element that lessons hold, and the page of its own.
+// Writes the workbench at build time: the element for lessons, and a page that consists of it.
 // Usage: workbench_page FOLDER SOURCES
+#include <fmt/format.h>
+
 #include <derivations/program/program.hpp>
 #include <derivations/rocking_block/emission.hpp>
 #include <derivations/rocking_block/paper.hpp>
@@ -7,6 +9,8 @@
 #include <iostream>
 #include <lessons/page/prose.hpp>
 #include <lessons/page/render.hpp>
+#include <nlohmann/json.hpp>
+#include <numerics/motion/overturning.hpp>
 #include <stdexcept>
 
 using namespace rederive;
@@ -87,25 +91,36 @@ std::string without_documentation(std::string text) {
   return text;
 }
 
+/// What the scripts say of an outcome, as `words_for` has it.
+std::string outcome_words() {
+  using namespace numerics;
+  return "const outcomeWords = " +
+         nlohmann::json{{"safe", words_for(0)},
+                        {"pattern", words_of_overturning},
+                        {"sides", words_of_sides},
+                        {"impacts", words_of_impacts}}
+             .dump() +
+         ";\n";
+}
+
 void write_all(const std::filesystem::path& folder, const std::filesystem::path& sources) {
-  const std::string motion = read_whole(sources / "motion.js") + read_whole(sources / "map.js");
-  std::string scripts;
-  for (const char* name : {"case.js", "views.js", "workbench.js"}) scripts += read_whole(sources / name);
-  std::string controls = read_whole(sources / "element.html");
-  const std::string law = "<!-- (46b) -->";
-  controls.replace(controls.find(law), law.size(),
-                   mathml(print_statement(derived_relation(paper().derivations.at("46b"), symbols()),
-                                          Notation::latex, symbols())));
-  const auto element = [&](const std::string& emitted) {
-    return "<style>\n" + read_whole(sources / "workbench.css") + "</style>\n" + controls +
-           "<script class=\"workbench-physics\">\n" + emitted + motion + "</script>\n<script>\n" + scripts +
-           "</script>\n";
-  };
-  const std::string emitted = physics(motion);
-  write_whole(folder / "workbench_element.html", element(without_documentation(emitted)));
-  write_whole(folder / "workbench.html", read_whole(sources / "head.html") + math_font_style() +
-                                             "</head>\n<body class=\"own\">\n<h1>The rocking block</h1>\n" +
-                                             element(emitted) + "</body>\n</html>\n");
+  const auto source = [&](const char* name) { return read_whole(sources / name); };
+  const std::string motion = source("motion.js") + source("map.js"),
+                    law = mathml(derived_relation(paper().derivations.at("46b"), symbols()), symbols());
+  const std::string element = "<style>\n" + source("workbench.css") + "</style>\n" +
+                              fmt::format(fmt::runtime(source("element.html")), fmt::arg("law_46b", law)) +
+                              "<script class=\"workbench-physics\">\n" +
+                              without_documentation(physics(motion)) + motion + "</script>\n<script>\n" +
+                              outcome_words() + source("case.js") + source("views.js") +
+                              source("workbench.js") + "</script>\n";
+  const std::string head =
+      source("head.html") + math_font_style() + "</head>\n<body class=\"own\">\n<h1>The rocking block</h1>\n";
+  const std::string opening = source("opening.html");
+  write_whole(folder / "workbench_head.html", head);
+  write_whole(folder / "workbench_opening.html", opening);
+  write_whole(folder / "workbench_element.html", element);
+  write_whole(folder / "workbench.html",
+              head + fmt::format(fmt::runtime(opening), "") + element + "</body>\n</html>\n");
 }
 
 }  // namespace

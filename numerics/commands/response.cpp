@@ -124,21 +124,21 @@ Plot history_plot(const Told& told, const std::string& caption) {
 
 /// The workbench, opened at this case: its scripts read it as options of this command.
 std::string page_of(const ResponseCommand& options, const Block& block) {
-  std::string page = read_if_there(data_folder() / "workbench.html").value_or("");
-  const std::string place = "data-case=\"";
-  const std::size_t at = page.find(place);
-  if (at == std::string::npos)
+  const auto part = [](const char* name) {
+    if (auto text = read_if_there(data_folder() / name)) return *std::move(text);
     throw std::runtime_error("the workbench is not built: run cmake --build build --target workbench");
+  };
   const CommonOptions& common = options.common;
   const std::string e =
       common.restitution == "auto" ? common.restitution : fmt::format("{}", block.restitution);
-  page.insert(at + place.size(),
-              fmt::format("--omega={} --amplitude={} --alpha={} --restitution={} --frequency-parameter={} "
-                          "--model={} --pulse={} --theta0={} --thetadot0={}",
-                          number("--omega", common.omega), number("--amplitude", options.amplitude),
-                          block.alpha, e, block.p, name_of(common.model), name_of(common.pulse),
-                          number("--theta0", common.theta0), number("--thetadot0", common.thetadot0)));
-  return page;
+  const std::string shown = fmt::format(
+      "--omega={} --amplitude={} --alpha={} --restitution={} --frequency-parameter={} "
+      "--model={} --pulse={} --theta0={} --thetadot0={}",
+      number("--omega", common.omega), number("--amplitude", options.amplitude), block.alpha, e, block.p,
+      name_of(common.model), name_of(common.pulse), number("--theta0", common.theta0),
+      number("--thetadot0", common.thetadot0));
+  return part("workbench_head.html") + fmt::format(fmt::runtime(part("workbench_opening.html")), shown) +
+         part("workbench_element.html") + "</body>\n</html>\n";
 }
 
 int response(const ResponseCommand& options) {

@@ -41,14 +41,11 @@ Margins free_motion_margins(const Block& block, Model model, int side, const Poi
 
 std::string words_for(int code, SideNames names) {
   if (code == 0) return "safe";
-  const int impacts = std::abs(code) - 1;
-  const bool is_named_by_sign = names == SideNames::signs;
-  const std::string_view side = code < 0 ? (is_named_by_sign ? "theta < 0" : "the left")
-                                         : (is_named_by_sign ? "theta > 0" : "the right");
-  const std::string how = impacts == 0   ? "without impact"
-                          : impacts == 1 ? "after one impact"
-                                         : fmt::format("after {} impacts", impacts);
-  return fmt::format("overturns to {} {}", side, how);
+  const auto impacts = static_cast<std::size_t>(std::abs(code) - 1);
+  const auto& sides = names == SideNames::signs ? words_of_sides : words_of_directions;
+  const std::string how =
+      fmt::format(fmt::runtime(words_of_impacts[std::min<std::size_t>(impacts, 2)]), impacts);
+  return fmt::format(fmt::runtime(words_of_overturning), sides[code < 0 ? 0 : 1], how);
 }
 
 std::string_view outcome_name(int code) { return code == 0 ? "safe" : "overturned"; }

@@ -3,6 +3,7 @@
 // (2001) 473-483.
 #pragma once
 
+#include <array>
 #include <numerics/motion/response.hpp>
 #include <string>
 #include <string_view>
@@ -33,6 +34,12 @@ struct Outcome {
   Margins margins{-1,
                   -1};  ///< brought back to the last launch by the rate of the separatrix, e^-(tau - launch)
 };
+
+/// The parts of words_for: {} stands for the side and the impacts, or for the number of impacts.
+inline constexpr const char* words_of_overturning = "overturns to {} {}";
+inline constexpr std::array words_of_sides{"theta < 0", "theta > 0"},
+    words_of_directions{"the left", "the right"};
+inline constexpr std::array words_of_impacts{"without impact", "after one impact", "after {} impacts"};
 
 /// How the words for an overturning name its side: "theta < 0" and "theta > 0", or "the left" and "the
 /// right".

@@ -378,7 +378,7 @@ TEST_CASE("only what is between dollars is mathematics in the words of a step") 
   const PaperOfATest other{symbols, row("1", "x = 2*a", "", "refuted"), {{"1", two}}};
   CHECK(contains(run_paper(other, {"show", "1"}).out, "Of a body is taken a·x² at once\n"));
   const std::string latex = run_paper(other, {"errata", "--format", "latex"}).out;
-  CHECK_MESSAGE(contains(latex, "Of a body is taken $a x^2$ at once\n"), latex);
+  CHECK_MESSAGE(contains(latex, "Of a body is taken $a x^2$ at once}\n"), latex);
   CHECK(contains(run_paper(paper, {"show", "1"}).out, "Of a body is taken 'a*x^2', at a price of 5'\n"));
 }
 

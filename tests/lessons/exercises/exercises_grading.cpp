@@ -106,7 +106,7 @@ TEST_CASE("a page a student says what was answered, what is wrong with it, a hin
   for (const auto* part : {"<h1>anna</h1>", "Marks: 0.8 of 42", "Marks: 0.8 of 1, after 3 attempts",
                            "Correct.", "Marks: 0 of 1, after 20 attempts; handed in after the deadline"})
     CHECK_MESSAGE(has(anna, part), part);
-  for (const auto* part : {"<pre>cos(2*alpha)</pre>", "You have left out the rotation about C",
+  for (const auto* part : {"<pre>cos(2*alpha)\n</pre>", "You have left out the rotation about C",
                            "A hint: Write the", "Not right yet.", "The value is right, but the form is not."})
     CHECK_MESSAGE(has(bert, part), part);
   CHECK(!has(bert, "3/2"));  // the answer itself is not in it
