@@ -136,7 +136,9 @@ TEST_CASE("LaTeX reads back as the same tree, and the pieces of a long formula a
     CAPTURE(text);
     REQUIRE(is_same(flat(LatexReader(text).whole()), flat(tree)));
     for (const Notation notation : {Notation::plain, Notation::unicode, Notation::latex})
-      REQUIRE(joined(pieces({{tree}, {}}, notation, paper_symbols()), " ") == print(tree, notation));
+      REQUIRE(joined(pieces({{tree}, {}}), " ", [&](const Piece& piece) {
+                return print(piece, notation, paper_symbols());
+              }) == print(tree, notation));
   }
 }
 
