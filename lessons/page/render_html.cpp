@@ -70,7 +70,7 @@ class HtmlRenderer : public Renderer {
     if (span.kind == Span::Kind::code) return "<code>" + text + "</code>";
     if (span.kind == Span::Kind::emphasis) return "<em>" + text + "</em>";
     if (span.kind == Span::Kind::link) return "<a href=\"" + escaped(span.target) + "\">" + text + "</a>";
-    return setting_.lesson == 0 ? text : linked(span.text);
+    return setting_.lesson == 0 || is_in_heading_ ? text : linked(span.text);
   }
 
   /// The number of an equation as a link to where it is derived, with the verdict on hover and focus. A
@@ -134,8 +134,10 @@ class HtmlRenderer : public Renderer {
 
   std::string render(const Heading& part) override {
     const std::string id = part.number > 0 ? fmt::format("step-{}", part.number) : part.anchor;
-    return "<h2" + (id.empty() ? "" : " id=\"" + id + "\"") + ">" +
-           (part.number > 0 ? fmt::format("{}. ", part.number) : "") + flat(part.text) + "</h2>\n";
+    is_in_heading_ = true;
+    const std::string text = (part.number > 0 ? fmt::format("{}. ", part.number) : "") + flat(part.text);
+    is_in_heading_ = false;
+    return "<h2" + (id.empty() ? "" : " id=\"" + id + "\"") + ">" + text + "</h2>\n";
   }
 
   std::string render(const Paragraph& part) override {
@@ -245,6 +247,7 @@ class HtmlRenderer : public Renderer {
            "</fieldset>\n";
   }
 
+  bool is_in_heading_ = false;       ///< where numbers of equations are no links
   std::set<std::string> placed_;     ///< rows that have their anchor
   std::set<std::string> mentioned_;  ///< exercises
   std::set<std::string> here_;       ///< those of them that have no place yet
