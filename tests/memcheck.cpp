@@ -1,4 +1,4 @@
-// valgrind's memcheck on the numerics and on the grading of a class.
+// The memcheck tool of valgrind on the numerics and on the grading of a class.
 #include <doctest/doctest.h>
 
 #include "run_program.hpp"
@@ -7,7 +7,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// What memcheck says of a command and of all processes that it starts; empty if nothing.
+/// Returns what memcheck says of a command and of all processes that it starts; "" if it finds nothing.
 std::string faults(const std::string& command) {
   const TemporaryFolder folder;
   const Result run =
@@ -26,9 +26,9 @@ TEST_CASE("memcheck finds nothing in thresholds, spectra, maps and histories") {
   if (!has_tool("valgrind")) return;
   for (const char* command :
        {"rocking threshold --omega 3",
-        "rocking spectrum --from 2 --to 3 --points 2 --least --model nonlinear",
-        "rocking map --omega 1:8:6 --amplitude 1:10:6 --model nonlinear",
-        "rocking map --omega 1:8:6 --amplitude 1:10:6 --model linear",
+        "rocking spectrum --from 3 --to 3 --points 1 --least --model nonlinear",
+        "rocking map --omega 1:8:3 --amplitude 1:10:6 --model nonlinear",
+        "rocking map --omega 1:8:3 --amplitude 1:10:6 --model linear",
         "rocking response --model nonlinear --record " REDERIVE_SOURCE "/tests/fuzz/seeds/records/peer"}) {
     CAPTURE(command);
     CHECK(faults(command) == "");
@@ -42,7 +42,7 @@ TEST_CASE("memcheck finds nothing in the grading of a class") {
     fs::create_directories((folder.path / name).parent_path());
     std::ofstream(folder.path / name) << text;
   };
-  // Two lessons' exercises alone: others want numbers of long double, and valgrind computes those as double.
+  // The exercises of two lessons alone: others need numbers of long double, which valgrind computes as double.
   fs::create_directories(folder.path / "bin");
   fs::copy(REDERIVE_PROGRAMS "/exercises", folder.path / "bin");
   fs::copy(REDERIVE_PROGRAMS "/../share", folder.path / "share", fs::copy_options::recursive);

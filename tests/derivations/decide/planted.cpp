@@ -94,11 +94,12 @@ bool are_found_the_same(const Relation& statement, const Relation& other,
 
 }  // namespace
 
-TEST_CASE("2,000 systems with a solution: none is 1 = 2, and none is called a contradiction") {
+TEST_CASE("systems with a solution: none is 1 = 2, and none is called a contradiction") {
+  const long systems = from_environment("REDERIVE_PAIRS", 1'000);
   Planter planter(30);
   const Relation impossible = parse_relation("1 = 2", planter.symbols);
   std::map<std::string, int> verdicts;
-  for (int k = 0; k < 2000; ++k) {
+  for (long k = 0; k < systems; ++k) {
     const Planted planted = planter.next();
     std::string shown = planted.statement + " under";
     std::vector<Relation> assumptions;
@@ -118,10 +119,10 @@ TEST_CASE("2,000 systems with a solution: none is 1 = 2, and none is called a co
     ++verdicts[to_string(verdict)];
   }
   for (const auto& [verdict, number] : verdicts) MESSAGE(number << " " << verdict);
-  CHECK(verdicts["refuted"] > 60);
+  CHECK(verdicts["refuted"] > systems / 33);
 }
 
-// Where y and z are the same but for their signs: found once to be a contradiction.
+// y and z are the same except for their signs: this was once found to be a contradiction.
 TEST_CASE("y^2 = 1 + v^2 = z^2 says not that y = z") {
   const Planter planter(30);
   std::vector<Relation> assumptions;

@@ -43,16 +43,6 @@ Json check_errors(const std::function<void()>& declare,
   return rows;
 }
 
-Derivation assuming(Derivation result, const std::string& assumption) {
-  result.assumption = assumption;
-  return result;
-}
-
-Derivation to_order(int order, const std::string& small, Derivation result) {
-  result.order = order, result.small = small;
-  return result;
-}
-
 Derivation x_is(const ex& value, const std::vector<Step>& steps = {}) {
   return derived(symbol("x"), value, steps);
 }
@@ -60,6 +50,41 @@ Derivation x_is(const ex& value, const std::vector<Step>& steps = {}) {
 Derivation x_is_y() { return x_is(symbol("y")); }
 
 void nothing() {}
+
+/// Declares "NAME", "NAME (0, 1)", or "NAME (0, 1) UNIT".
+void declare_as(const std::string& text) {
+  const auto range = text.find(' '), unit = text.find_first_of(")]");
+  if (range == std::string::npos) return declare(text.c_str());
+  declare(text.substr(0, range).c_str(), text.substr(range + 1, unit - range).c_str(),
+          unit + 2 < text.size() ? text.substr(unit + 2).c_str() : "1");
+}
+
+/// Judges a row of the table: what is printed, what is derived, the verdict, the symbols that are declared,
+/// and "domain: …", "assumption: …" or "small: …".
+Json judged(const Cells& row) {
+  const auto after = [&](const std::string& key) {
+    return row.size() > 4 && row[4].starts_with(key) ? row[4].substr(key.size()) : std::string();
+  };
+  const std::string domain = after("domain: ");
+  const auto symbols = [&] {
+    std::istringstream names(row.size() > 3 ? row[3] : "");
+    for (std::string text; std::getline(names >> std::ws, text, ';');) declare_as(text);
+  };
+  const auto derive = [=] {
+    const Relation relation = parse_relation(row[1], own_paper().symbols);
+    Derivation result = derived(lower(relation.sides[0], own_paper().symbols),
+                                lower(relation.sides[1], own_paper().symbols), {});
+    result.assumption = after("assumption: ");
+    result.small = after("small: ");
+    result.order = result.small.empty() ? 0 : 1;
+    return result;
+  };
+  const std::string more = domain.empty() ? "" : "domain = \"" + domain + "\"",
+                    expected = row[2] == "error" ? "proved" : row[2];
+  const Json entry = judged(symbols, ::row("1", row[0], more, expected), derive, row[2] == "error" ? 1 : 0);
+  CHECK(entry["verdict"] == row[2]);
+  return entry;
+}
 
 }  // namespace
 
@@ -85,48 +110,23 @@ TEST_CASE("two symbols that are written alike are refused, both named") {
   CHECK(parse("L", symbols)->text == "L");
 }
 
-TEST_CASE("what a derivation assumes is put into the comparison") {
-  const auto symbols = [] { declare("q_1"), declare("q_2"); };
-  const std::string toml = row("1", "q_2 = q_1", "", "proved_under");
-  const auto derive = [] { return derived(symbol("q_2"), abs(symbol("q_1")), {}); };
-  const auto positive = [] { return assuming(derived(symbol("q_2"), abs(symbol("q_1")), {}), "q_1 > 0"); };
-  const auto in_words = [] {
-    return assuming(derived(symbol("q_2"), abs(symbol("q_1")), {}),
-                    "q_1 > 0, q_2 > 0; otherwise the sign turns");
-  };
-  CHECK(judged(symbols, toml, positive)["verdict"] == "proved_under");
-  CHECK(judged(symbols, toml, in_words)["verdict"] == "proved_under");
-  CHECK(judged(symbols, toml, derive, 1)["verdict"] == "refuted");
-  // what holds nowhere under the assumption stays refuted
-  CHECK(judged(symbols, row("1", "q_2 = 2*q_1", "", "refuted"), positive)["verdict"] == "refuted");
-  const auto slip = [] { return assuming(derived(symbol("q_2"), abs(symbol("q_1")), {}), "q_7 > 0"); };
-  const Json error = judged(symbols, toml, slip, 1);
-  CHECK(error["verdict"] == "error");
-  CHECK(contains(error["reason"], "q_7"));
-  CHECK(contains(error["reason"], "assumption"));
-}
-
-TEST_CASE("ranges and domains may hold symbols") {
-  const auto derive = [] {
-    return derived(symbol("q"), sqrt(pow(symbol("alpha") - symbol("theta_0"), 2)), {});
-  };
-  const std::string printed = "q = alpha - theta_0";
-  const auto by_range = [] { declare("q"), declare("theta_0", "(0, alpha)"); };
-  CHECK(judged(by_range, row("1", printed), derive)["verdict"] == "proved");
-  const auto any = [] { declare("q"), declare("theta_0"); };
-  CHECK(judged(any, row("1", printed), derive, 1)["verdict"] == "refuted");
-  for (const char* domain : {"theta_0 < alpha", "alpha > theta_0", "theta_0 > 0, theta_0 < alpha",
-                             "0 < theta_0 < alpha", "0 < theta_0 <= alpha"}) {
-    CAPTURE(domain);
-    CHECK(judged(any, row("1", printed, "domain = \"" + std::string(domain) + "\""), derive)["verdict"] ==
-          "proved");
-  }
-  CHECK(judged(any, row("1", printed, "domain = \"theta_0 > alpha\"", "refuted"), derive)["verdict"] ==
-        "refuted");
-  const Result r =
-      run_paper({any, row("1", printed, "domain = \"theta_0 near alpha\""), {{"1", derive}}}, {});
+TEST_CASE("a row is judged by its derivation, with its ranges, its domain and what it assumes") {
+  each_case("verdicts", [](const Cells& row) { judged(row); });
+  const Json slip = judged(cases("verdicts").back());
+  CHECK(contains(slip["reason"], "q_7"));
+  CHECK(contains(slip["reason"], "assumption"));
+  const Result r = run_paper(
+      {[] { declare("theta_0"); }, row("1", "x = y", "domain = \"theta_0 near alpha\""), {{"1", x_is_y}}},
+      {});
   CHECK(r.exit_code == 2);
   CHECK(contains(r.err, "theta_0 near alpha"));
+}
+
+TEST_CASE("a slip in one argument is corrected in its place, any other by what is derived") {
+  each_case("corrections", [](const Cells& row) {
+    const Json entry = judged(Cells{row[0], row[1], "refuted", row[2]});
+    CHECK(entry["correction"] == (row.size() > 3 ? Json(row[3]) : entry["derived"]));
+  });
 }
 
 TEST_CASE("a range or a unit that cannot be read is refused with its symbol") {
@@ -148,15 +148,7 @@ TEST_CASE("units may have parentheses, negative powers and all base units of the
   CHECK(unit_text(parse_unit("kg*m^2/s^3/A^2")) == "kg·m²/(s³·A²)");
   CHECK(unit_text(parse_unit("mol*cd/K")) == "mol·cd/K");
   CHECK(parse_unit("m^(1/2)") == parse_unit("m/m^0.5"));
-  const auto symbols = [] {
-    declare("C_e", "(0, inf)", "A^2*s^4/(kg*m^2)"), declare("U_e", "(0, inf)", "kg*m^2/(s^3*A)");
-    declare("W_e", "(0, inf)", "kg*m^2*s^-2");
-  };
-  const Json entry = judged(symbols, row("1", "W_e = C_e*U_e^2/2"), [] {
-    return derived(symbol("W_e"), symbol("C_e") * pow(symbol("U_e"), 2) / 2, {});
-  });
-  CHECK(entry["verdict"] == "proved");
-  CHECK(entry["dimension"] == "consistent");
+  CHECK(judged(cases("units")[0])["dimension"] == "consistent");
 }
 
 TEST_CASE("a derivation that cannot be used makes an error of its row alone") {
@@ -191,7 +183,12 @@ TEST_CASE("a derivation that cannot be used makes an error of its row alone") {
                    return x_is(sum);
                  },
                  "characters"},
-                {[] { return to_order(2, "", x_is_y()); }, ""}});
+                {[] {
+                   Derivation nameless = x_is_y();
+                   nameless.order = 2;
+                   return nameless;
+                 },
+                 ""}});
   const PaperOfATest paper{
       nothing,
       row("1", "x = y") + row("2", "x = 2*y", "", "refuted"),
@@ -244,19 +241,9 @@ TEST_CASE("prove knows the symbols of the paper and their ranges") {
 }
 
 TEST_CASE("the series of what is derived are compared, and an exact match is called exact") {
-  const auto exact = [] { return to_order(1, "theta", x_is(symbol("y") * sin(symbol("theta")))); };
-  const auto of = [&](const std::string& printed, const char* expected) {
-    const Json found = judged(nothing, row("1", printed, "", expected), exact);
-    CHECK(found["verdict"] == expected);
-    return found;
-  };
-  CHECK(contains(of("x = y*sin(theta)", "proved")["reason"], "exact"));
-  of("x = y*theta", "approximation");
-  of("x = y*tan(theta)", "approximation");
-  of("x = 2*y*theta", "refuted");
-  of("x = y*cos(theta)", "refuted");
-  const auto series = [] { return to_order(1, "theta", x_is(symbol("y") * symbol("theta"))); };
-  CHECK(judged(nothing, row("1", "x = y*theta", "", "approximation"), series)["verdict"] == "approximation");
+  each_case("series", [](const Cells& row) {
+    CHECK(contains(judged(row)["reason"], "exact") == (row[2] == "proved"));
+  });
 }
 
 // acosh(1/(1 - alpha/theta_0)) for acosh(1/(1 - theta_0/alpha)): where 0 < theta_0 < alpha the first has no
@@ -284,33 +271,6 @@ TEST_CASE(
   CHECK_MESSAGE(slips.exit_code == 0, slips.out, slips.err);
   CHECK(contains(slips.out, "   0 survived"));
   CHECK_FALSE(contains(slips.out, "   0 refuted"));
-}
-
-TEST_CASE("a slip in one argument is corrected in its place") {
-  const auto symbols = [] { declare("a_1", "(0, 1)"), declare("b_1", "(0, 1)"); };
-  const auto derive = [] {
-    const ex a = symbol("a_1"), b = symbol("b_1");
-    const ex above = symbol("x") * cos(a - b) - symbol("y") * sin(a) + symbol("m") * symbol("g") * sin(b),
-             below = symbol("m") * (symbol("x") + symbol("y") * pow(cos(a - b), 2));
-    return derived(symbol("thetaddot"), (above / below).expand(), {});
-  };
-  const std::string right =
-      "thetaddot = (x*cos(a_1 - b_1) - y*sin(a_1) + m*g*sin(b_1))/(m*(x + y*cos(a_1 - b_1)^2))";
-  const auto printed = [&](const std::string& from, const std::string& to) {
-    std::string text = right;
-    return text.replace(text.find(from), from.size(), to);
-  };
-  for (const auto& [from, to] : {std::pair("cos(a_1 - b_1)", "cos(2*a_1 - 2*b_1)"),
-                                 {"cos(a_1 - b_1)", "cos(a_1 + b_1)"},
-                                 {"sin(b_1)", "sin(2*b_1)"},
-                                 {"sin(a_1)", "sin(b_1)"}}) {
-    const Json entry = judged(symbols, row("1", printed(from, to), "", "refuted"), derive);
-    CHECK(entry["verdict"] == "refuted");
-    CHECK(entry["correction"] == right);
-  }
-  // what is no slip of one argument is corrected by what is derived
-  const Json other = judged(symbols, row("1", printed("y*sin", "x*sin"), "", "refuted"), derive);
-  CHECK(other["correction"] == other["derived"]);
 }
 
 TEST_CASE("the equations are found beside the source or the program, wherever it runs") {

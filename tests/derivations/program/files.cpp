@@ -79,7 +79,7 @@ TEST_CASE("a signal that comes as a file is written waits until it is whole") {
     REQUIRE(run(folder, writer).exit_code <= 1);
     const Text whole = read_file(folder.path / "file");
     const auto names = files_in(folder.path);
-    for (const Text signal : {"INT", "TERM", "ALRM"}) {
+    for (const Text signal : {"TERM", "ALRM"}) {
       fs::remove(folder.path / "file");
       const Result r = run(
           folder, "strace -f -o /dev/null -e trace=fsync -e inject=fsync:signal=" + signal + " " + writer);
