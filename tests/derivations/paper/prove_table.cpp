@@ -86,11 +86,13 @@ TEST_CASE("the page of what can be decided is written from the table") {
 
 TEST_CASE("a table that cannot be read is refused: a wrong key, an option that excludes it") {
   const Result wrong = of_table(row_that_expects("proved", "asume = [\"x > 0\"]")),
-               excluded = of_table(row_that_expects("proved"), {"--assume", "x > 0"});
-  for (const Result& r : {wrong, excluded}) {
+               excluded = of_table(row_that_expects("proved"), {"--assume", "x > 0"}),
+               steering = of_table(row_that_expects("proved\\u001b[31m"));
+  for (const Result& r : {wrong, excluded, steering}) {
     CHECK(r.exit_code == 2);
     CHECK(r.out.empty());
   }
   CHECK(contains(wrong.err, ":7: there is no key 'asume' here: did you mean 'assume'?"));
   CHECK(contains(excluded.err, "excludes --table"));
+  CHECK(contains(steering.err, "'proved?[31m'"));
 }

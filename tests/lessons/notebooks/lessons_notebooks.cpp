@@ -103,10 +103,7 @@ TEST_CASE("without the module the cells run the commands, and the first cell say
   page.commands({"build/bin/rocking threshold --omega 2", "build/bin/exercises show barrier"});
   Setting setting{.paper = rocking_block::paper(), .format = Format::notebook};
   const auto notebook = [&] {
-    const auto renderer = make_renderer(setting);
-    renderer->begin({1, "T", "t", "b", {}});
-    renderer->step(1, "h", page);
-    return json::parse(renderer->end({}));
+    return json::parse(rendered({"T", {{"Teaches", "t"}, {"Builds on", "b"}}}, page.blocks(), setting));
   };
   const json plain = notebook();
   CHECK(contains(plain["cells"][0]["source"], "was not built"));
