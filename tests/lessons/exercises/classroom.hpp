@@ -10,13 +10,10 @@
 
 namespace rederive::classroom {
 
-inline bool has(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
-
+/// Writes a file, and makes its folder.
 inline void write(const std::filesystem::path& path, const std::string& text) {
   std::filesystem::create_directories(path.parent_path());
-  std::ofstream(path, std::ios::binary) << text;
+  write_file(path, text);
 }
 
 /// The exercises in the variants of a seed.

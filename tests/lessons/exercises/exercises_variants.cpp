@@ -45,7 +45,7 @@ TEST_CASE("texts are filled in, and what cannot be is refused") {
 TEST_CASE(
     "without a seed an exercise stands as it is; with seeds there are several of it, with their own "
     "answers") {
-  CHECK(has(exercise("frequency-of-a-bookcase").statement, "is 2 m high and 0.4 m wide"));
+  CHECK(contains(exercise("frequency-of-a-bookcase").statement, "is 2 m high and 0.4 m wide"));
   int varying = 0;
   for (const auto& one : exercises()) {
     if (one.choice.empty()) continue;
@@ -90,16 +90,16 @@ TEST_CASE("help is for the variant that was tried last") {
     if (exercise(id, std::to_string(k)).choice.at("corner") == "O") left = std::to_string(k);
   const Result tried = desk.run({"check", id, "--seed", left, "R*(cos(alpha - theta) - cos(alpha))"});
   CHECK(tried.out.find("Stuck? exercises hint " + id + " --seed \"" + left + "\"") != std::string::npos);
-  CHECK(has(desk.run({"hint", id}).out, "turned to the left about O."));
+  CHECK(contains(desk.run({"hint", id}).out, "turned to the left about O."));
   CHECK(desk.run({"solution", id, "--give-up"}).out.ends_with("y_c = R*cos(alpha + theta) - R*cos(alpha)\n"));
   CHECK(desk.run({"solution", id, "--give-up", "--seed", ""})
             .out.ends_with("cos(alpha - theta) - R*cos(alpha)\n"));
-  CHECK(has(read_file(desk.progress), "\tseed " + left + "\n"));
+  CHECK(contains(read_file(desk.progress), "\tseed " + left + "\n"));
   CHECK(desk.run({"check", id, "R*(cos(alpha - theta) - cos(alpha))"}).exit_code ==
         0);  // without one: as it stands
-  CHECK(!has(read_file(desk.progress), "\tseed"));
+  CHECK(!contains(read_file(desk.progress), "\tseed"));
   CHECK(desk.run({"solution", id}).out.ends_with("y_c = R*cos(alpha - theta) - R*cos(alpha)\n"));
-  CHECK(has(read_file(desk.progress), "given_up"));  // what was shown is not solved
+  CHECK(contains(read_file(desk.progress), "given_up"));  // what was shown is not solved
 }
 
 TEST_CASE("on the command line, and in a class where each has the own variant") {
@@ -109,7 +109,7 @@ TEST_CASE("on the command line, and in a class where each has the own variant") 
   std::map<std::string, std::string> answers;
   for (const std::string name : {"anna", "bert", "Zoë Ångström"}) {
     answers[name] = model_answer(prepared(id, name));
-    CHECK(has(desk.run({"show", id, "--seed", name}).out, "--seed \"" + name + "\""));
+    CHECK(contains(desk.run({"show", id, "--seed", name}).out, "--seed \"" + name + "\""));
     CHECK(desk.run({"check", id, "--seed", name, answers[name]}).exit_code == 0);
     CHECK(desk.run({"solution", id, "--seed", name}).out.ends_with("\n" + answers[name] + "\n"));
     write(folder / "class" / name / (id + ".txt"), answers[name]);

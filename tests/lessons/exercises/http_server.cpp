@@ -11,13 +11,12 @@
 #include <future>
 #include <lessons/exercises/http_server.hpp>
 #include <list>
+#include <tests/run_program.hpp>
 
 using namespace rederive::classroom;
 using namespace std::chrono_literals;
 
 namespace {
-
-bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 HttpCeilings for_hours() { return {.request = 1h, .response = 1h, .rest = 1h, .grace = 1h}; }
 
@@ -96,7 +95,8 @@ class Client {
   std::string hear(const std::string& until = "") {
     std::string text;
     char some[65536];
-    for (ssize_t n; (until.empty() || !has(text, until)) && (n = ::recv(socket_, some, sizeof some, 0)) > 0;)
+    for (ssize_t n;
+         (until.empty() || !contains(text, until)) && (n = ::recv(socket_, some, sizeof some, 0)) > 0;)
       text.append(some, static_cast<std::size_t>(n));
     return text;
   }
@@ -218,7 +218,7 @@ TEST_CASE("who does not take the response does not keep others waiting, and is g
     Client slow(server);
     slow.receive_little();
     slow.say(get("/large"));
-    CHECK(has(slow.hear("HTTP"), "HTTP"));
+    CHECK(contains(slow.hear("HTTP"), "HTTP"));
     CHECK(Client(server, get("/a")).hear().ends_with("GET /a "));
   }
   SUBCASE("it is given up: else the server would not end") {
@@ -227,7 +227,7 @@ TEST_CASE("who does not take the response does not keep others waiting, and is g
     Client slow(server);
     slow.receive_little();
     slow.say(get("/large"));
-    CHECK(has(slow.hear("HTTP"), "HTTP"));
+    CHECK(contains(slow.hear("HTTP"), "HTTP"));
     CHECK(server.end());
   }
 }
@@ -292,7 +292,7 @@ TEST_CASE("after the time of grace it ends, whatever is at work or is not taken"
     Client slow(server);
     slow.receive_little();
     slow.say(get("/large"));
-    CHECK(has(slow.hear("HTTP"), "HTTP"));
+    CHECK(contains(slow.hear("HTTP"), "HTTP"));
     CHECK(server.end());
   }
 }

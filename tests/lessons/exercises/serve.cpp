@@ -15,8 +15,6 @@ namespace {
 
 using Json = nlohmann::json;
 
-bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
-
 struct Asked {
   int status;
   std::string body;
@@ -70,17 +68,17 @@ TEST_CASE("a lesson is the page that its program writes, with the exercises in t
   const std::string lesson = "lesson-06-reading-a-printed-equation",
                     file = run_program(lesson, {"--format", "html"}).out,
                     served = page(server, lesson + ".html").body;
-  CHECK(has(file, "exercises serve"));
+  CHECK(contains(file, "exercises serve"));
   const std::size_t first = file.find("<aside class=\"exercise\"");
   REQUIRE(first != std::string::npos);
   CHECK(served.substr(0, first) == file.substr(0, first));
-  CHECK_FALSE(has(served, "<aside"));
+  CHECK_FALSE(contains(served, "<aside"));
   for (const std::string id : {"wrong-sign-in-47", "vertical-reaction", "reaction-at-start"}) {
     const std::size_t at = served.find(" id=\"" + id + "\"");
     REQUIRE(at != std::string::npos);
     CHECK(served.find(" id=\"" + id + "\"", at + 1) == std::string::npos);
   }
-  CHECK(has(served, "<label for=\"answer-vertical-reaction\">"));
+  CHECK(contains(served, "<label for=\"answer-vertical-reaction\">"));
 }
 
 TEST_CASE("every exercise stands in its lesson and in the index") {
@@ -96,8 +94,8 @@ TEST_CASE("every exercise stands in its lesson and in the index") {
     const std::string element =
         "<details class=\"exercise\" id=\"" + exercise["id"].get<std::string>() + "\"";
     CAPTURE(element);
-    CHECK(has(pages[lesson], element));
-    CHECK(has(index, element));
+    CHECK(contains(pages[lesson], element));
+    CHECK(contains(index, element));
   }
   CHECK(list.size() == 42);
   CHECK(page(server, "workbench.html").status == 200);
@@ -107,11 +105,11 @@ TEST_CASE("every exercise stands in its lesson and in the index") {
 TEST_CASE("what is typed is echoed as it is read, and what cannot be read is explained, at no cost") {
   const Server server;
   const auto read = [&](const std::string& text) { return says(server, "height-of-centre", "read", text); };
-  CHECK(has(read("R*cos(alpha - theta)/2"), "<mfrac>"));
-  CHECK(has(read("R*cos(alpha"), "this parenthesis is never closed\n  R*cos(alpha\n"));
-  CHECK(has(read("R*x"), "is not among the symbols of this exercise"));
+  CHECK(contains(read("R*cos(alpha - theta)/2"), "<mfrac>"));
+  CHECK(contains(read("R*cos(alpha"), "this parenthesis is never closed\n  R*cos(alpha\n"));
+  CHECK(contains(read("R*x"), "is not among the symbols of this exercise"));
   CHECK(read("") == "");
-  CHECK(has(says(server, "frequency-of-a-bookcase", "read", "p = 2.69 1/s"), "2.69 1/s"));
+  CHECK(contains(says(server, "frequency-of-a-bookcase", "read", "p = 2.69 1/s"), "2.69 1/s"));
   CHECK_FALSE(std::filesystem::exists(server.progress));
 }
 
@@ -131,17 +129,17 @@ TEST_CASE("the judge and the progress file are those of the terminal") {
     const Json there = Json::parse(
         run_program("exercises", {"--progress", terminal, "check", "--json", exercise, "--", answer}).out);
     CAPTURE(here.dump());
-    CHECK(has(here["says"], "<div class=\"said " + there["verdict"].get<std::string>() + "\">"));
+    CHECK(contains(here["says"], "<div class=\"said " + there["verdict"].get<std::string>() + "\">"));
   }
   CHECK(read_file(server.progress) == read_file(terminal));
   CHECK(told(server, "height-of-centre", "read")["standing"] == "(solved, 2 attempts)");
-  CHECK(has(page(server, "").body, "1 of 42 solved."));
+  CHECK(contains(page(server, "").body, "1 of 42 solved."));
   says(server, "restitution", "hint"), says(server, "restitution", "hint");
   for (int k = 0; k < 2; ++k) run_program("exercises", {"--progress", terminal, "hint", "restitution"});
   CHECK(read_file(server.progress) == read_file(terminal));
-  CHECK(has(says(server, "restitution", "solution"), "give up"));
+  CHECK(contains(says(server, "restitution", "solution"), "give up"));
   CHECK(read_file(server.progress) == read_file(terminal));
-  CHECK(has(says(server, "restitution", "give_up"), "<math"));
+  CHECK(contains(says(server, "restitution", "give_up"), "<math"));
   run_program("exercises", {"--progress", terminal, "solution", "--give-up", "restitution"});
   CHECK(read_file(server.progress) == read_file(terminal));
 }
@@ -206,8 +204,8 @@ TEST_CASE("bad requests are refused in words, and the server lives on") {
   CHECK(ask(server, {.path = path, .body = Json{{"answer", std::string(70000, 'x')}}.dump()}).status == 413);
   CHECK(status(path_to(server, "nothing", "check"), R"({"answer": ""})") == 404);
   CHECK(status(path_to(server, "height-of-centre", "reset"), R"({"answer": ""})") == 404);
-  CHECK(has(says(server, "height-of-centre", "check", std::string(60000, 'x')), "could not be read"));
-  CHECK_FALSE(has(read_file(server.progress), "height-of-centre"));
+  CHECK(contains(says(server, "height-of-centre", "check", std::string(60000, 'x')), "could not be read"));
+  CHECK_FALSE(contains(read_file(server.progress), "height-of-centre"));
 }
 
 TEST_CASE("what a student types is only ever text") {
@@ -217,12 +215,12 @@ TEST_CASE("what a student types is only ever text") {
     for (const std::string id :
          {"height-of-centre", "frequency-of-a-bookcase", "which-momentum", "misprint-in-17"})
       if (what == "check" || id.find("momentum") == std::string::npos)
-        CHECK_FALSE(has(says(server, id, what, script), "<script"));
+        CHECK_FALSE(contains(says(server, id, what, script), "<script"));
   std::ofstream(server.progress) << "height-of-centre\ttried\t1\t0\tR*theta\xff<script>\n"
                                  << "restitution\ttried\t1\t0\tcos(2*alpha)\n";
-  CHECK_FALSE(has(says(server, "height-of-centre", "hint"), "<script"));
-  CHECK(has(says(server, "restitution", "hint"), "cos(2*alpha)"));
-  CHECK(has(says(server, "restitution", "check", std::string("1\0", 2)), "could not be read"));
+  CHECK_FALSE(contains(says(server, "height-of-centre", "hint"), "<script"));
+  CHECK(contains(says(server, "restitution", "hint"), "cos(2*alpha)"));
+  CHECK(contains(says(server, "restitution", "check", std::string("1\0", 2)), "could not be read"));
 }
 
 TEST_CASE("answers that take long are judged in turn, and others wait for it or are told to come again") {
@@ -242,13 +240,13 @@ TEST_CASE("answers that take long are judged in turn, and others wait for it or 
   int judged = 0, sent_away = 0;
   for (auto& one : all) {
     const Asked asked = one.get();
-    judged += asked.status == 200 && has(asked.body, "Correct.");
+    judged += asked.status == 200 && contains(asked.body, "Correct.");
     sent_away += asked.status == 503;
   }
   CHECK(judged >= 8);
   CHECK(sent_away > 0);
   CHECK(judged + sent_away == 20);
-  CHECK(has(says(server, "height-of-centre", "check", "R*(cos(alpha-theta)-cos(alpha))"), "Correct."));
+  CHECK(contains(says(server, "height-of-centre", "check", "R*(cos(alpha-theta)-cos(alpha))"), "Correct."));
 }
 
 TEST_CASE("60 MB of header lines are refused, and are not kept") {
@@ -293,7 +291,7 @@ TEST_CASE("a signal ends it well, a port that is taken is named") {
     const Result second = run_program("exercises", {"serve", "--port", std::to_string(server.port)});
     CHECK(second.exit_code == 2);
     CHECK(second.out.empty());
-    CHECK(has(second.err, "port " + std::to_string(server.port) + " cannot be used"));
+    CHECK(contains(second.err, "port " + std::to_string(server.port) + " cannot be used"));
     CHECK(page(server, "").status == 200);
     CHECK(server.end(signal) == 0);
   }
