@@ -38,6 +38,12 @@ Opinion wrong_answer(const Note& note, const std::string& feedback) {
 
 Opinion wrong_answer(Slip slip) { return wrong_answer(slip, slip_words(SlipTable::answer, slip)); }
 
+Opinion half_right(Outcome outcome, Opinion opinion) {
+  opinion.outcome = outcome;
+  opinion.score = 0.5;
+  return opinion;
+}
+
 Opinion invalid(const Note& note, const std::string& feedback) {
   Opinion opinion = wrong_answer(note, feedback);
   opinion.outcome = Outcome::invalid;

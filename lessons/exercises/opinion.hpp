@@ -30,11 +30,12 @@ struct Opinion {
 };
 
 /// Return the opinion on a right answer; on a wrong one, with the words of slips.toml as `feedback` unless it
-/// is given, and their hint; on a text that cannot be read, with a caret; on a file that is not judged; and
-/// on an answer that cannot be decided.
+/// is given, and their hint; on one that has half the score; on a text that cannot be read, with a caret; on
+/// a file that is not judged; and on an answer that cannot be decided.
 Opinion right_answer(const std::string& feedback = "");
 Opinion wrong_answer(const Note& note, const std::string& feedback);
 Opinion wrong_answer(Slip slip);
+Opinion half_right(Outcome outcome, Opinion opinion);
 Opinion invalid(const Note& note, const std::string& feedback);
 Opinion invalid(const SyntaxError& error, const std::string& text);
 Opinion refused(Trouble trouble);

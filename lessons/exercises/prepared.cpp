@@ -104,10 +104,7 @@ void add_formulas(Prepared& prepared) {
     Relation relation = prepared.answer.relation;
     for (const auto& [name, value] : assumption.put)
       relation = rederive::put_in(relation, name, parse(value, prepared.symbols));
-    Opinion opinion = wrong_answer(Slip::assumption, assumption.says);
-    opinion.outcome = Outcome::correct_if;
-    opinion.score = 0.5;
-    add(relation, opinion);
+    add(relation, half_right(Outcome::correct_if, wrong_answer(Slip::assumption, assumption.says)));
   }
 }
 

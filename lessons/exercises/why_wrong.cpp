@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <derivations/numbers/interval.hpp>
+#include <functional>
 #include <lessons/exercises/repairs.hpp>
 #include <lessons/exercises/why_wrong.hpp>
 #include <lessons/page/prose.hpp>
@@ -33,61 +34,38 @@ double distance(const Signature& left, const Signature& right) {
   return error;
 }
 
-/// The answer and the right one at points whose angles, or rotations alone, shrink.
-class SmallAngles {
- public:
-  SmallAngles(const Prepared& prepared, const Relation& read, bool rotations_only)
-      : mine_(put_in(read, prepared.answer.given, prepared.symbols)),
-        right_(put_in(prepared.answer.relation, prepared.answer.given, prepared.symbols)),
-        symbols_(prepared.symbols),
-        assumed_(prepared.assumed),
-        pivot_(prepared.exercise.pivot),
-        rotations_only_(rotations_only) {
-    names_ = names_of(mine_);
-    names_.merge(names_of(right_));
-  }
+/// Returns the values of a statement at points whose angles are multiplied by a scale.
+using ValuesAt = std::function<std::optional<Signature>(const Relation&, const cln::cl_RA&)>;
 
-  /// Returns whether the answer approaches the right one. What the angles change is compared, so that
-  /// 1 + wrong*alpha^2 is not taken for 1 + right*alpha^2, nor is 1; without a value at 0, the whole answers
-  /// are.
-  bool agree() const {
-    const auto mine_at_zero = at(mine_, 0), right_at_zero = at(right_, 0);
-    double before = 1;
-    for (const int shrink : {40, 400}) {
-      auto a = at(mine_, cln::cl_RA(1) / shrink), b = at(right_, cln::cl_RA(1) / shrink);
-      if (!a || !b) return false;
-      const bool varies = mine_at_zero && right_at_zero;
-      if (varies && alike(*a, *mine_at_zero)) return false;
-      for (std::size_t i = 0; varies && i < a->size(); ++i)
-        (*a)[i] -= (*mine_at_zero)[i], (*b)[i] -= (*right_at_zero)[i];
-      const double error = distance(*a, *b);
-      if (error > before / 8 || (shrink == 40 && error > 0.1)) return false;
-      before = error;
+/// Returns whether an answer approaches the right one as the angles shrink. What the angles change is
+/// compared, so that 1 + wrong*alpha^2 is not taken for 1 + right*alpha^2, nor is 1; without a value at 0,
+/// the whole answers are.
+bool approaches(const Relation& mine, const Relation& right, const ValuesAt& at) {
+  const auto mine_at_zero = at(mine, 0), right_at_zero = at(right, 0);
+  const bool has_values = mine_at_zero && right_at_zero;
+  double before = 1;
+  for (const int shrink : {40, 400}) {
+    auto a = at(mine, cln::cl_RA(1) / shrink), b = at(right, cln::cl_RA(1) / shrink);
+    if (!a || !b || (has_values && alike(*a, *mine_at_zero))) return false;
+    for (std::size_t i = 0; has_values && i < a->size(); ++i) {
+      (*a)[i] -= (*mine_at_zero)[i];
+      (*b)[i] -= (*right_at_zero)[i];
     }
-    return !mine_at_zero || !right_at_zero || alike(*mine_at_zero, *right_at_zero);
+    const double error = distance(*a, *b);
+    if (error > before / 8 || (shrink == 40 && error > 0.1)) return false;
+    before = error;
   }
+  return !has_values || alike(*mine_at_zero, *right_at_zero);
+}
 
-  /// Returns whether the right answer is linear in the angles. Then the other one was not linearised.
-  bool right_is_linear() const {
-    const auto none = at(right_, 0), half = at(right_, cln::cl_RA(1) / 2), whole = at(right_, 1);
-    if (!none || !half || !whole || alike(*none, *whole)) return false;
-    Signature mean = *none;
-    for (std::size_t i = 0; i < mean.size(); ++i) mean[i] = (mean[i] + (*whole)[i]) / 2;
-    return alike(mean, *half);
-  }
-
- private:
-  std::optional<Signature> at(const Relation& statement, const cln::cl_RA& scale) const {
-    return signature(statement, pivot_, sample_points(names_, 2, symbols_, assumed_, scale, rotations_only_));
-  }
-
-  Relation mine_, right_;
-  const Symbols& symbols_;
-  const std::vector<Relation>& assumed_;
-  std::string pivot_;
-  bool rotations_only_;
-  std::set<std::string> names_;
-};
+/// Returns whether the right answer is linear in the angles. Then the other one was not linearised.
+bool is_linear(const Relation& right, const ValuesAt& at) {
+  const auto none = at(right, 0), half = at(right, cln::cl_RA(1) / 2), whole = at(right, 1);
+  if (!none || !half || !whole || alike(*none, *whole)) return false;
+  Signature mean = *none;
+  for (std::size_t i = 0; i < mean.size(); ++i) mean[i] = (mean[i] + (*whole)[i]) / 2;
+  return alike(mean, *half);
+}
 
 std::optional<Opinion> by_roads(const Prepared& prepared, const Relation& read, const Signature& mine) {
   for (const auto& road : prepared.roads)
@@ -124,14 +102,18 @@ std::optional<Opinion> for_symbols(const Prepared& prepared, const Relation& rea
 }
 
 std::optional<Opinion> for_small_angles(const Prepared& prepared, const Relation& read) {
+  const Relation mine = put_in(read, prepared.answer.given, prepared.symbols),
+                 right = put_in(prepared.answer.relation, prepared.answer.given, prepared.symbols);
+  std::set<std::string> names = names_of(mine);
+  names.merge(names_of(right));
   for (const bool rotations_only : {false, true}) {
-    const SmallAngles angles(prepared, read, rotations_only);
-    if (!angles.agree()) continue;
-    if (angles.right_is_linear()) return wrong_answer(Slip::not_linear);
-    Opinion opinion = wrong_answer(Slip::small_angle);
-    opinion.outcome = Outcome::correct_if;
-    opinion.score = 0.5;
-    return opinion;
+    const ValuesAt at = [&](const Relation& statement, const cln::cl_RA& scale) {
+      return signature(statement, prepared.exercise.pivot,
+                       sample_points(names, 2, prepared.symbols, prepared.assumed, scale, rotations_only));
+    };
+    if (!approaches(mine, right, at)) continue;
+    if (is_linear(right, at)) return wrong_answer(Slip::not_linear);
+    return half_right(Outcome::correct_if, wrong_answer(Slip::small_angle));
   }
   return {};
 }

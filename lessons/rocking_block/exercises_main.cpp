@@ -46,17 +46,7 @@ CLI::App* command_with_id(CLI::App& app, const std::string& name, const std::str
   return command;
 }
 
-void declare(CLI::App& app, Typed& given) {
-  app.require_subcommand(0, 1);
-  app.fallthrough();
-  app.add_option("--progress", given.progress,
-                 "Keep your progress in this file. Default: ~/.local/state/rederive/exercises.txt.")
-      ->type_name("FILE");
-  app.add_option("--seed", given.seed,
-                 "Set the exercises in the variant of this number or name: other numbers, another side.");
-  with_json(app.add_subcommand("list", "List all exercises, and the next one to do."), given);
-  command_with_id(app, "show", "Show the statement of an exercise; without ID, of the next one.", given,
-                  false);
+void declare_check(CLI::App& app, Typed& given) {
   auto* check = command_with_id(app, "check",
                                 "Judge an answer. Put -- before an answer that begins with a minus.", given);
   auto* answer = check->add_option("ANSWER", given.answer, "The answer, in quotes.");
@@ -69,16 +59,74 @@ void declare(CLI::App& app, Typed& given) {
       ->excludes(answer)
       ->excludes(file_option);
   check->footer(
-      "Examples:\n"
-      "  $ exercises check barrier \"m*g*R*(1 - sin(alpha))\"\n"
-      "  $ exercises check barrier --working working.txt\n\n"
-      "A working is a chain of lines. Each line must follow from the line before, and the last line is the\n"
-      "answer. A line is an equation, a chain a = b = c, or an expression, alone or after an equals sign.\n"
-      "Empty lines and lines that begin with # are skipped. A line may end with what is assumed in this "
-      "line\n"
-      "alone: [theta > 0, u_gddot = 0], or [small alpha, theta], so that the step need hold to first order\n"
-      "only. Where a number is asked for, each line is a chain a = b = c that is true for the given "
-      "numbers.");
+      R"help(Examples:
+  $ exercises check barrier "m*g*R*(1 - sin(alpha))"
+  $ exercises check barrier --working working.txt
+
+A working is a chain of lines. Each line must follow from the line before, and the last line is the
+answer. A line is an equation, a chain a = b = c, or an expression, alone or after an equals sign.
+Empty lines and lines that begin with # are skipped. A line may end with what is assumed in this line
+alone: [theta > 0, u_gddot = 0], or [small alpha, theta], so that the step need hold to first order
+only. Where a number is asked for, each line is a chain a = b = c that is true for the given numbers.)help");
+}
+
+void declare_grade(CLI::App& app, GradeFlags& flags, Typed& given) {
+  auto* grade = with_json(app.add_subcommand("grade", "Judge a whole class: DIR/<student>/<ID>.txt."), given);
+  grade->add_option("DIR", flags.folder, "Folder of the class, with one folder per student.")->required();
+  const auto file = [&](const char* name, std::string& into, const char* says) {
+    return grade->add_option(name, into, says)->check(file_name)->type_name("FILE");
+  };
+  file("--csv", flags.csv, "Write the rows to this file as CSV. Default: standard output.");
+  file("--gradebook", flags.gradebook,
+       "Write the marks as CSV: one row per student, one column per exercise.");
+  file("--report", flags.report, "Write a page about the common slips, with typical answers.");
+  file("--feedback", flags.feedback, "Write one page per student into this folder, to hand back.")
+      ->type_name("DIR");
+  file("--weights", flags.weights,
+       "Read the weights from a CSV file: exercise,weight. Default: every exercise has weight 1.");
+  file("--deadline", flags.deadline,
+       "Give no marks to later answers: a time, or a CSV file of exercise,deadline.")
+      ->type_name("TIME|FILE");
+  file("--handed-in", flags.handed_in,
+       "Read from a CSV file when answers were handed in: student,exercise,time. Default: the times of the "
+       "files.");
+  grade->footer(
+      R"help(Examples:
+  $ exercises grade class
+  $ exercises grade class --gradebook marks.csv --deadline 2026-12-01T12:00
+  $ exercises grade class --report slips.html --feedback pages
+
+A mark is weight x score. Each attempt after the first costs a tenth of it, down to a half. Attempts are
+known if a student handed in the progress file, exercises.txt, beside the answers. In the gradebook, an
+empty cell means that nothing was handed in, and ? means that the program could not decide: look at the
+answer yourself. CSV files have the header that is named above. A time has the form 2026-12-01T12:00, in
+UTC or with an offset such as +02:00; a day alone ends at midnight. A row of --handed-in without an
+exercise applies to all exercises of the student.
+The exit code is 3 if judging an answer reached a limit or crashed; the last lines name the answers.)help");
+  grade
+      ->add_option("--workers", flags.workers,
+                   "Judge N answers at a time, from 1 to 64. Default: the number of processors.")
+      ->check(whole_number)
+      ->check(CLI::Range(1, 64));
+  grade->add_flag(
+      "--variants", flags.collecting.variants,
+      "Judge each student by the variants of the folder's name; with --seed S, of S and the name, 'Sname'.");
+  grade->add_flag("--missing", flags.collecting.missing,
+                  "Write a row also for each answer that was not handed in.");
+}
+
+void declare(CLI::App& app, Typed& given) {
+  app.require_subcommand(0, 1);
+  app.fallthrough();
+  app.add_option("--progress", given.progress,
+                 "Keep your progress in this file. Default: ~/.local/state/rederive/exercises.txt.")
+      ->type_name("FILE");
+  app.add_option("--seed", given.seed,
+                 "Set the exercises in the variant of this number or name: other numbers, another side.");
+  with_json(app.add_subcommand("list", "List all exercises, and the next one to do."), given);
+  command_with_id(app, "show", "Show the statement of an exercise; without ID, of the next one.", given,
+                  false);
+  declare_check(app, given);
   command_with_id(app, "hint", "Give one more hint. It never gives the answer away.", given);
   command_with_id(app, "solution", "Show the answer and its derivation, once the exercise is solved.", given)
       ->add_flag("--give-up", given.give_up, "Show the answer although the exercise is not solved.");
@@ -94,54 +142,7 @@ void declare(CLI::App& app, Typed& given) {
   auto* watch = app.add_subcommand("watch", "Judge the files of a folder whenever they change.");
   watch->add_option("DIR", given.folder, "Folder of your answers, DIR/<ID>.txt.")->required();
   watch->add_flag("--once", given.once, "Look once and stop.");
-  auto* grade = with_json(app.add_subcommand("grade", "Judge a whole class: DIR/<student>/<ID>.txt."), given);
-  grade->add_option("DIR", given.grade.folder, "Folder of the class, with one folder per student.")
-      ->required();
-  grade->add_option("--csv", given.grade.csv, "Write the rows to this file as CSV. Default: standard output.")
-      ->check(file_name)
-      ->type_name("FILE");
-  const auto file = [&](const char* name, std::string& into, const char* says) {
-    return grade->add_option(name, into, says)->check(file_name)->type_name("FILE");
-  };
-  file("--gradebook", given.grade.gradebook,
-       "Write the marks as CSV: one row per student, one column per exercise.");
-  file("--report", given.grade.report, "Write a page about the common slips, with typical answers.");
-  file("--feedback", given.grade.feedback, "Write one page per student into this folder, to hand back.")
-      ->type_name("DIR");
-  file("--weights", given.grade.weights,
-       "Read the weights from a CSV file: exercise,weight. Default: every exercise has weight 1.");
-  file("--deadline", given.grade.deadline,
-       "Give no marks to later answers: a time, or a CSV file of exercise,deadline.")
-      ->type_name("TIME|FILE");
-  file("--handed-in", given.grade.handed_in,
-       "Read from a CSV file when answers were handed in: student,exercise,time. Default: the times of the "
-       "files.");
-  grade->footer(
-      "Examples:\n"
-      "  $ exercises grade class\n"
-      "  $ exercises grade class --gradebook marks.csv --deadline 2026-12-01T12:00\n"
-      "  $ exercises grade class --report slips.html --feedback pages\n\n"
-      "A mark is weight x score. Each attempt after the first costs a tenth of it, down to a half. Attempts "
-      "are\n"
-      "known if a student handed in the progress file, exercises.txt, beside the answers. In the gradebook, "
-      "an\n"
-      "empty cell means that nothing was handed in, and ? means that the program could not decide: look at "
-      "the\n"
-      "answer yourself. CSV files have the header that is named above. A time has the form 2026-12-01T12:00, "
-      "in\n"
-      "UTC or with an offset such as +02:00; a day alone ends at midnight. A row of --handed-in without an\n"
-      "exercise applies to all exercises of the student.\n"
-      "The exit code is 3 if judging an answer reached a limit or crashed; the last lines name the answers.");
-  grade
-      ->add_option("--workers", given.grade.workers,
-                   "Judge N answers at a time, from 1 to 64. Default: the number of processors.")
-      ->check(whole_number)
-      ->check(CLI::Range(1, 64));
-  grade->add_flag(
-      "--variants", given.grade.collecting.variants,
-      "Judge each student by the variants of the folder's name; with --seed S, of S and the name, 'Sname'.");
-  grade->add_flag("--missing", given.grade.collecting.missing,
-                  "Write a row also for each answer that was not handed in.");
+  declare_grade(app, given.grade, given);
   with_json(app.add_subcommand("selftest", "Prove that the exercise set is sound."), given);
 }
 
