@@ -36,11 +36,8 @@ const fs::path& changed_programs() {
       return block("derivations/emit/README.md", "## Add a target of emission", "cpp", n);
     };
     const TemporaryFolder folder;
-    const std::string listed =
-        with(kinematics, "Derivations derivations_of_kinematics() {", "  };\n", equation("cpp", 1));
     write_file(folder.path / "kinematics.cpp",
-               replaced(listed, "Derivations derivations_of_kinematics() {",
-                        equation("cpp", 0) + "\nDerivations derivations_of_kinematics() {"));
+               with(kinematics, "void derive_kinematics(Derivations& rows) {", "\n}\n", equation("cpp", 0)));
     fs::create_directories(folder.path / "derivations/emit");
     const std::string header = read_file(source + "/" + dialect + ".hpp");
     const auto names = header.find("enum class Target {");

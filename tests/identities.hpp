@@ -19,6 +19,9 @@ inline GiNaC::ex put_in(GiNaC::ex e, const std::vector<Given>& given) {
   return e;
 }
 
+/// The derivation of a row of the built-in paper.
+inline const Derivation& derived(const std::string& id) { return rocking_block::paper().derivations.at(id); }
+
 /// Whether two expressions are proved to be the same.
 inline bool identical(const GiNaC::ex& a, const GiNaC::ex& b) {
   return decide({{to_tree(a)}, {}}, {{to_tree(b)}, {}}, paper_symbols()).verdict == Verdict::proved;

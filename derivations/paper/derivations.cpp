@@ -4,15 +4,12 @@
 namespace rederive {
 
 Derivations::Derivations(std::initializer_list<std::pair<std::string, Derive>> list) {
-  for (const auto& [id, derive] : list)
-    if (!all_.emplace(id, std::pair(derive, Once<Derivation>())).second)
-      throw std::invalid_argument("equation (" + id + ") is derived twice");
+  for (const auto& [id, derive] : list) add(id, derive);
 }
 
-void Derivations::add(const Derivations& others) {
-  for (const auto& one : others.all_)
-    if (!all_.insert(one).second)
-      throw std::invalid_argument("equation (" + one.first + ") is derived twice");
+void Derivations::add(const std::string& id, Derive derive) {
+  if (!all_.emplace(id, std::pair(std::move(derive), Once<Derivation>())).second)
+    throw std::invalid_argument("equation (" + id + ") is derived twice");
 }
 
 std::vector<std::string> Derivations::ids() const {

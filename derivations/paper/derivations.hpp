@@ -17,8 +17,8 @@ class Derivations {
   Derivations() = default;
   /// Throws std::invalid_argument if two derive the same row.
   Derivations(std::initializer_list<std::pair<std::string, Derive>> list);
-  /// Throws std::invalid_argument if one of `others` derives a row that is derived already.
-  void add(const Derivations& others);
+  /// Adds the derivation of a row. Throws std::invalid_argument if the row is derived already.
+  void add(const std::string& id, Derive derive);
   bool contains(const std::string& id) const { return all_.contains(id); }
   std::vector<std::string> ids() const;  ///< sorted
   /// What the function of a row returns. Throws std::out_of_range if there is none, and what it throws.

@@ -16,6 +16,16 @@ Derivation derived(const ex& left, const ex& right, std::vector<Step> steps, std
   return result;
 }
 
+Derivation to_order(Derivation derivation, int order, const std::string& small) {
+  derivation.order = order, derivation.small = small;
+  return derivation;
+}
+
+Derivation assuming(Derivation derivation, const std::string& assumption) {
+  derivation.assumption = assumption;
+  return derivation;
+}
+
 Step in_words(std::string says) { return {std::move(says), 0, 0, "="}; }
 
 Step from(const Derivation& other, std::string says) {

@@ -10,6 +10,10 @@ namespace rederive {
 /// sides before a printed row is compared with it; `relation` is "=", "<", "<=", ">" or ">=".
 Derivation derived(const GiNaC::ex& left, const GiNaC::ex& right, std::vector<Step> steps,
                    std::vector<Given> given = {}, const std::string& relation = "=");
+/// Returns the derivation as a Taylor approximation to an order in small symbols, such as "alpha, theta".
+Derivation to_order(Derivation derivation, int order, const std::string& small);
+/// Returns the derivation under what the paper leaves unsaid; see Derivation::assumption.
+Derivation assuming(Derivation derivation, const std::string& assumption);
 /// A step that is words only.
 Step in_words(std::string says);
 /// The conclusion of another derivation as a step of this one.

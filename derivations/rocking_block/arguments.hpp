@@ -1,5 +1,5 @@
-// The arguments of what is emitted: symbols that only numeric functions have, and expressions in them, with
-// the scales that make them dimensionless.
+// The arguments of emitted functions: symbols that only numeric functions have, and expressions in these
+// symbols with the scales that make them dimensionless.
 #pragma once
 
 #include <derivations/emit/emit.hpp>
@@ -31,7 +31,7 @@ inline const Symbol ground{"ground", "\\gamma", "γ", "1", all_numbers, "acceler
     push{"push", "\\kappa", "κ", "1", all_numbers, "(theta_0 + thetadot_0/p)/alpha", "emit"};
 }  // namespace numeric
 
-/// "…_negative", "…_positive"
+/// Returns the name of the function for that side: "…_negative", "…_positive".
 inline std::string on(Side side, const std::string& name) {
   return name + (side == Side::negative ? "_negative" : "_positive");
 }
@@ -40,7 +40,8 @@ inline std::string row(Side side, const std::string& negative, const std::string
   return side == Side::negative ? negative : positive;
 }
 
-/// The same without a symbol that it does not depend on, though it is written in it.
+/// Returns the expression without a symbol that it contains but does not depend on. Throws std::logic_error
+/// if it depends on the symbol.
 inline ex without(const SymbolExpression& symbol, const ex& e) {
   if (!e.has(symbol)) return e;
   const bool independent = e.diff(symbol).normal().is_zero();
@@ -49,35 +50,36 @@ inline ex without(const SymbolExpression& symbol, const ex& e) {
 }
 inline ex with_ground(const ex& e) { return e.subs(u_gddot == numeric::ground * g); }
 inline ex without_R(const ex& e) { return e.subs(R == 3 * g / (4 * pow(p, 2))); }
-/// ω_p = w p, t_i = τ_i/p, T_ex where the sine ends: then neither p nor α is left.
+/// Returns the expression with ω_p = w p, t_i = τ_i/p and the end of the sine for T_ex; p and α drop out.
 inline ex in_ratios(const ex& e) {
   const ex at_end = e.subs(T_ex == end_of_pulse(Pulse::sine));
   return without(
       alpha, without(p, at_end.subs(lst{omega_p == numeric::omega_ratio * p, t_i == numeric::tau_i / p})));
 }
 inline ex from_rest(const ex& e) { return in_ratios(e.subs(lst{theta_0 == 0, thetadot_0 == 0})); }
-/// θ₀ and θ̇₀ enter by their push alone.
+/// Returns the expression with the push in place of θ₀ and θ̇₀, which it contains in this combination alone.
 inline ex with_push(const ex& e) {
   return in_ratios(without(thetadot_0, e.subs(theta_0 == alpha * numeric::push - thetadot_0 / p).expand()));
 }
 
-/// The arguments of sines as products, where they have common factors: near 0 these keep their digits.
+/// Writes the arguments of sines as products where they have common factors, so that they keep their digits
+/// near 0.
 struct FactoredSines : GiNaC::map_function {
   ex operator()(const ex& e) override {
     if (!GiNaC::is_the_function<GiNaC::sin_SERIAL>(e)) return e.map(*this);
     return sin(factor(e.op(0)));
   }
 };
-/// θ = α angle, θ̇ = α p velocity: then p is not left.
+/// Returns the expression with θ = α angle and θ̇ = α p velocity; p drops out.
 inline ex in_angle_and_velocity(const ex& e) {
   return without(p, e.subs(lst{theta == alpha * numeric::angle, thetadot == alpha * p * numeric::velocity}));
 }
-/// Rates and their squares by α p.
+/// Returns a rate (power 1) over α p, or the square of a rate (power 2) over its square.
 inline ex scaled_rate(const ex& rate, int power) {
   FactoredSines factored;
   return factored(in_angle_and_velocity((rate / pow(alpha * p, power)).expand()));
 }
-/// The same of the linear model, which has no α then, either.
+/// Returns the same of the linear model, from which α drops out as well.
 inline ex scaled_linear_rate(const ex& rate, int power) {
   return without(alpha, in_angle_and_velocity(rate / pow(alpha * p, power)));
 }

@@ -1,16 +1,16 @@
-// What is emitted of the paper: numeric functions and Taylor steppers.
+// The numeric functions and Taylor steppers that are emitted for the paper.
 #pragma once
 
 #include <derivations/emit/emit.hpp>
 
 namespace rederive::rocking_block {
 
-/// Every function and stepper that is emitted, built from the derivations.
+/// Returns every function and stepper that is emitted, built from the derivations.
 Emission emission();
-/// Its parts.
+/// Return the parts of the emission.
 std::vector<EmittedFunction> emitted_functions();
 std::vector<TaylorStepper> taylor_steppers();
-/// The symbols of the paper, and those that only numeric functions have (arguments.hpp).
+/// Returns the symbols of the paper and those that only numeric functions have (arguments.hpp).
 Symbols emission_symbols();
 
 }  // namespace rederive::rocking_block

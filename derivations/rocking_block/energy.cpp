@@ -17,22 +17,17 @@ ex energy_rate(Side side) {
 namespace {
 
 Derivation total_energy() {
-  Derivation result = derived(E, K + Omega,
-                              {in_words("The block moves and is lifted; it is rigid, so nothing else "
-                                        "stores energy")},
-                              {{V_s, 0}});
-  result.assumption = "V_s = 0: what the paper calls V is a strain energy, and the block is rigid";
-  return result;
+  return assuming(derived(E, K + Omega,
+                          {in_words("The block moves and is lifted; it is rigid, so nothing else "
+                                    "stores energy")},
+                          {{V_s, 0}}),
+                  "V_s = 0: what the paper calls V is a strain energy, and the block is rigid");
 }
 
 Derivation energy_of(Side side, const char* kinetic, const char* potential) {
   return derived(E, energy(side),
                  {from(kinetic, "Add the kinetic energy"), from(potential, "and the potential")});
 }
-
-Derivation equation_22a() { return energy_of(Side::negative, "6", "9"); }
-
-Derivation equation_22b() { return energy_of(Side::positive, "16b", "14"); }
 
 // In (21) with θ̈ = 0, solved for the ground acceleration at θ = α.
 Derivation ground_at_alpha(Side side, const char* motion) {
@@ -107,14 +102,13 @@ Derivation impact_rate_squared(Side side) {
       {energies_of(side, "The energy # is that of θ = 0 with θ̇_before"), as_product(weight.lean, upright)});
 }
 
-Derivations derivations_of_energy() {
-  return {
-      {"u6", [] { return ground_at_alpha(Side::negative, "21a"); }},
-      {"u7", [] { return ground_at_alpha(Side::positive, "21b"); }},
-      {"u8", total_energy},
-      {"22a", equation_22a},
-      {"22b", equation_22b},
-  };
+/// Long because it is a list: one entry for each row.
+void derive_energy(Derivations& rows) {
+  rows.add("u6", [] { return ground_at_alpha(Side::negative, "21a"); });
+  rows.add("u7", [] { return ground_at_alpha(Side::positive, "21b"); });
+  rows.add("u8", total_energy);
+  rows.add("22a", [] { return energy_of(Side::negative, "6", "9"); });
+  rows.add("22b", [] { return energy_of(Side::positive, "16b", "14"); });
 }
 
 }  // namespace rederive::rocking_block

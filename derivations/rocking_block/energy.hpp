@@ -5,18 +5,20 @@
 
 namespace rederive::rocking_block {
 
-/// E = K + Ω on either side: (22a), (22b). Conserved while the ground rests.
+/// Returns the energy E = K + Ω of (22a) or (22b). It is constant while the ground is at rest.
 GiNaC::ex energy(Side side);
-/// dE/dt along a motion that obeys (21) on that side; 0 where the ground rests.
+/// Returns dE/dt along a motion that obeys (21) on that side. It is 0 while the ground is at rest.
 GiNaC::ex energy_rate(Side side);
 
-/// θ̇ with which free motion at θ just reaches θ = ∓α, by (22): ∓2 p sin((α ± θ)/2). The difference of
-/// cosines is written as a product, in which nothing cancels for slender blocks and near θ = ∓α.
+/// Derives the velocity θ̇ with which free motion at θ just reaches θ = ∓α, by (22): ∓2 p sin((α ± θ)/2). The
+/// difference of cosines is written as a product, in which nothing cancels for slender blocks and near θ =
+/// ∓α.
 Derivation critical_rate(Side side);
-/// θ̇² at the impact to which free motion leads from θ, θ̇, by (22), in the same manner.
+/// Derives the square θ̇² of the velocity at the impact to which free motion leads from θ and θ̇, by (22), in
+/// the same form.
 Derivation impact_rate_squared(Side side);
 
-/// (22), and the ground acceleration at θ = α by (21).
-Derivations derivations_of_energy();
+/// Adds the derivations of (22) and of the ground acceleration at θ = α, by (21).
+void derive_energy(Derivations& rows);
 
 }  // namespace rederive::rocking_block

@@ -1,4 +1,3 @@
-#include <derivations/mechanics/moment_balance.hpp>
 #include <derivations/rocking_block/equation_of_motion.hpp>
 
 namespace rederive::rocking_block {
@@ -91,16 +90,6 @@ Derivation inertia_about(Side side) {
        {"The parallel axis gives the same", J_o, J_c + m * pow(R, 2)}});
 }
 
-Derivation parallel_axis() {
-  const ex square = pow(x, 2) + pow(y, 2);
-  const ex more =
-      over_body(square, block_from_pivot(Side::negative)) - over_body(square, block_from_centre());
-  const auto sides = GiNaC::lst{b == R * sin(alpha), h == R * cos(alpha)};
-  return derived(J_o, J_c + by_pythagoras(more.subs(sides)),
-                 {{"Integrate ρ (x² + y²) seen from O and seen from C; the first exceeds the second by",
-                   J_o - J_c, more}});
-}
-
 Derivation equation_5() {
   // Seen along axes fixed in the block, an element at (x, y) moves with C and turns about it.
   const Vector with_centre = turned_clockwise({u_cdot, y_cdot}, -theta);
@@ -181,8 +170,6 @@ Derivation moment_of_inertia_about_centre() {
 }
 
 Derivation moment_of_inertia_about_pivot() { return inertia_about(Side::negative); }
-Derivation moment_of_inertia_about_other_pivot() { return inertia_about(Side::positive); }
-
 Derivation frequency_parameter() {
   const ex inertia = moment_of_inertia_about_pivot().right;
   return derived(p, sqrt(m * g * R / inertia),
@@ -190,41 +177,40 @@ Derivation frequency_parameter() {
                   {"where", J_o, inertia}});
 }
 
-Derivation equation_6() { return kinetic_energy_in_J_o(Side::negative); }
-Derivation equation_9() { return weight(Side::negative); }
-Derivation equation_11() { return motion(Side::negative); }
-Derivation equation_14() { return weight(Side::positive); }
-Derivation equation_16b() { return kinetic_energy_in_J_o(Side::positive); }
-Derivation equation_21a() { return normalised_motion(Side::negative); }
-Derivation equation_21b() { return normalised_motion(Side::positive); }
-
-Derivations derivations_of_equation_of_motion() {
-  return {
-      {"1", equation_1},
-      {"5", equation_5},
-      {"u2", moment_of_inertia_about_centre},
-      {"6", equation_6},
-      {"u3a", parallel_axis},
-      {"u3b", moment_of_inertia_about_pivot},
-      {"7a", [] { return momentum(Side::negative); }},
-      {"7b", [] { return momentum_rate(Side::negative); }},
-      {"8", [] { return kinetic_slope(Side::negative); }},
-      {"9", equation_9},
-      {"10", [] { return potential_slope(Side::negative); }},
-      {"11", equation_11},
-      {"14", equation_14},
-      {"16a", equation_5},
-      {"16b", equation_16b},
-      {"u4", moment_of_inertia_about_other_pivot},
-      {"17a", [] { return momentum(Side::positive); }},
-      {"17b", [] { return momentum_rate(Side::positive); }},
-      {"18", [] { return kinetic_slope(Side::positive); }},
-      {"19", [] { return potential_slope(Side::positive); }},
-      {"20", [] { return motion(Side::positive); }},
-      {"21a", equation_21a},
-      {"21b", equation_21b},
-      {"u5", frequency_parameter},
-  };
+/// Long because it is a list: one entry for each row.
+void derive_equation_of_motion(Derivations& rows) {
+  rows.add("1", equation_1);
+  rows.add("5", equation_5);
+  rows.add("u2", moment_of_inertia_about_centre);
+  rows.add("6", [] { return kinetic_energy_in_J_o(Side::negative); });
+  rows.add("u3a", [] {
+    const ex square = pow(x, 2) + pow(y, 2);
+    const ex more =
+        over_body(square, block_from_pivot(Side::negative)) - over_body(square, block_from_centre());
+    const auto sides = GiNaC::lst{b == R * sin(alpha), h == R * cos(alpha)};
+    return derived(J_o, J_c + by_pythagoras(more.subs(sides)),
+                   {{"Integrate ρ (x² + y²) seen from O and seen from C; the first exceeds the second by",
+                     J_o - J_c, more}});
+  });
+  rows.add("u3b", moment_of_inertia_about_pivot);
+  rows.add("7a", [] { return momentum(Side::negative); });
+  rows.add("7b", [] { return momentum_rate(Side::negative); });
+  rows.add("8", [] { return kinetic_slope(Side::negative); });
+  rows.add("9", [] { return weight(Side::negative); });
+  rows.add("10", [] { return potential_slope(Side::negative); });
+  rows.add("11", [] { return motion(Side::negative); });
+  rows.add("14", [] { return weight(Side::positive); });
+  rows.add("16a", equation_5);
+  rows.add("16b", [] { return kinetic_energy_in_J_o(Side::positive); });
+  rows.add("u4", [] { return inertia_about(Side::positive); });
+  rows.add("17a", [] { return momentum(Side::positive); });
+  rows.add("17b", [] { return momentum_rate(Side::positive); });
+  rows.add("18", [] { return kinetic_slope(Side::positive); });
+  rows.add("19", [] { return potential_slope(Side::positive); });
+  rows.add("20", [] { return motion(Side::positive); });
+  rows.add("21a", [] { return normalised_motion(Side::negative); });
+  rows.add("21b", [] { return normalised_motion(Side::positive); });
+  rows.add("u5", frequency_parameter);
 }
 
 }  // namespace rederive::rocking_block

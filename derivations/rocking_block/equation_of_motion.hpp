@@ -5,37 +5,30 @@
 
 namespace rederive::rocking_block {
 
-/// The block seen from the pivot on that side, at rest: x in (0, 2b) from O, in (−2b, 0) from O'; y in (0,
-/// 2h).
+/// Returns the block at rest, seen from the pivot on that side: x is in (0, 2b) from O and in (−2b, 0) from
+/// O', y is in (0, 2h).
 Rectangle block_from_pivot(Side side);
 
-/// J_o = 4/3 m R² and R = 3g/(4p²), both in terms of m, g, p: what turns (11), (20) into (21).
+/// Returns J_o = 4/3 m R² and R = 3g/(4p²) in m, g and p. With these (11) and (20) become (21).
 std::vector<Given> inertia_and_frequency();
 
-/// K of (6), (16): J_o θ̇²/2 + m u̇_g²/2 + m R u̇_g θ̇ cos(α ± θ), in J_o.
+/// Returns the kinetic energy of (6) or (16), J_o θ̇²/2 + m u̇_g²/2 + m R u̇_g θ̇ cos(α ± θ).
 GiNaC::ex kinetic_energy(Side side);
-/// Ω of (9), (14).
+/// Returns the potential Ω of (9) or (14).
 GiNaC::ex weight_potential(Side side);
-/// J_o θ̈ + … of (11), (20): vanishes in every motion. By Lagrange.
+/// Returns the left side J_o θ̈ + … of (11) or (20), which is 0 in every motion, by Lagrange's equation.
 GiNaC::ex motion_by_lagrange(Side side);
-/// The same by the moments of all elements about the pivot; in b, h and m.
+/// Returns the same by the moments of all elements about the pivot, in b, h and m.
 GiNaC::ex motion_by_moments(Side side);
-/// θ̈ of (21a), (21b), solved; in p, α, θ, ü_g and g.
+/// Returns θ̈ by (21a) or (21b), in p, α, θ, ü_g and g.
 GiNaC::ex angular_acceleration(Side side);
 
+/// Derive J_c of (5), J_o of (6) and p of (21) for a homogeneous rectangle.
 Derivation moment_of_inertia_about_centre();
 Derivation moment_of_inertia_about_pivot();
-Derivation moment_of_inertia_about_other_pivot();
 Derivation frequency_parameter();
-Derivation equation_6();
-Derivation equation_9();
-Derivation equation_11();
-Derivation equation_14();
-Derivation equation_16b();
-Derivation equation_21a();
-Derivation equation_21b();
 
-/// (1), (5) to (11), (14), (16) to (21).
-Derivations derivations_of_equation_of_motion();
+/// Adds the derivations of (1), (5) to (11), (14), (16) to (21).
+void derive_equation_of_motion(Derivations& rows);
 
 }  // namespace rederive::rocking_block

@@ -75,104 +75,15 @@ Derivation scaled_amplitude_of_cosine() {
 }
 
 Derivation linear_amplitude_of_cosine() {
-  Derivation result = derived(a_p / (alpha * g), amplitude(Pulse::cosine).value / (alpha * g),
-                              {from(scaled_amplitude_of_cosine(), "To first order in α,")});
-  result.order = 1;
-  result.small = "alpha";
-  return result;
-}
-
-Derivation equation_97() {
-  const LinearEquation equation = linear_equation(Side::positive, Pulse::cosine);
-  Derivation result = derived(thetaddot - pow(equation.k, 2) * theta,
-                              with_amplitude(equation.forcing, Pulse::cosine).expand(),
-                              {from("21b", "Take # to first order in α, θ and α_p/g"),
-                               {"with", u_gddot, ground_acceleration(Pulse::cosine)},
-                               from(linear_amplitude_of_cosine(), "and")});
-  result.order = 1;
-  result.small = "alpha, theta, a_p/g";
-  return result;
-}
-
-Derivation equation_98() {
-  return derived(theta, cosine_motion(),
-                 {from("97", "Solve"), in_words("by undetermined coefficients, with sinh p t and cosh p t")});
-}
-
-Derivation equation_99() {
-  return derived(thetadot / p, (cosine_motion().diff(t) / p).expand(), {from("98", "Differentiate")});
-}
-
-Derivation equation_100a() {
-  return derived(A_3, forced_constants(Side::positive, Pulse::cosine).C.normal(),
-                 {from("99", "Set t = 0 and θ̇ = θ̇_0 in #")});
-}
-
-Derivation equation_100b() {
-  return derived(A_4, forced_constants(Side::positive, Pulse::cosine).D.normal(),
-                 {from("98", "Set t = 0 and θ = θ_0 in")});
+  return to_order(derived(a_p / (alpha * g), amplitude(Pulse::cosine).value / (alpha * g),
+                          {from(scaled_amplitude_of_cosine(), "To first order in α,")}),
+                  1, "alpha");
 }
 
 Derivation end_of_cosine_pulse() {
   return derived(T_ex, end_of_pulse(Pulse::cosine),
                  {from(cosine_is_shifted_sine(), "Write the cosine as a shifted sine,"),
                   in_words("and let the pulse end with it, where the phase is 2π")});
-}
-
-Derivation equation_101a() {
-  return derived(theta_ex, angle_at_end(Side::positive, Pulse::cosine),
-                 {from("98", "# at T_ex, where the cosine is 0")});
-}
-
-Derivation equation_101b() {
-  return derived(thetadot_ex / p, rate_at_end(Side::positive, Pulse::cosine),
-                 {from("99", "# at T_ex, where the sine is −1")});
-}
-
-Derivation equation_102() {
-  const ex growth = exp(p * T_ex);
-  const ex sum = critical_sum(Side::positive, angle_at_end(Side::positive, Pulse::cosine),
-                              p * rate_at_end(Side::positive, Pulse::cosine));
-  const ex joined = in_exponentials(sum).expand().subs(exp(-p * T_ex) == 1 / growth).expand();
-  return derived(joined.coeff(growth, 1), -joined.coeff(growth, 0) / growth,
-                 {from("75", "Into"), from("101a", "put"), from("101b", "and"),
-                  in_words("sinh and cosh join to e^{p T_ex}")});
-}
-
-Derivation equation_103() {
-  return threshold(overturning_cosine_pulse(),
-                   {from("102", "Into"), from("100a", "put"), from("100b", "and"),
-                    in_words("and divide by the factor of e^{−p T_ex}")},
-                   {end(Pulse::cosine)});
-}
-
-Derivation equation_104() {
-  return threshold(overturning_sine_pulse(),
-                   {from("68", "Into"), from("69a", "put"), from("69b", "and"), from("58a", "with"),
-                    from("58b", "and"), in_words("and divide by the factor of e^{−p T_ex}")},
-                   {end(Pulse::sine)});
-}
-
-Derivation threshold_of_cosine_from_rest() {
-  return threshold(
-      overturning_cosine_pulse_from_rest(),
-      {from(start_under_cosine(), "Rocking begins, from rest, at phase π − ψ, where"),
-       in_words("with time counted from there the acceleration is −α_p cos(ω_p t − ψ), until phase 3π/2"),
-       from("75", "The critical motion has"),
-       in_words("and dividing by the factor of the exponential gives the threshold: the one of half a "
-                "sine, with π/2 − ψ for its phase")},
-      {});
-}
-
-}  // namespace
-
-Derivation first_acceleration_to_the_right() {
-  const LinearEquation equation = linear_equation(Side::positive, Pulse::cosine);
-  return derived(
-      thetaddot_0, with_amplitude(equation.forcing, Pulse::cosine).subs(t == 0).expand(),
-      {from("97", "# at rest and upright, just after t = 0,"),
-       in_words("which is negative: the block is pressed onto its base and does not turn to θ > 0. To turn "
-                "to θ < 0 it needs more than α g, and the acceleration decreases")});
 }
 
 Derivation start_under_cosine() {
@@ -187,31 +98,92 @@ Derivation start_under_cosine() {
        in_words("is no longer negative at θ = 0: when the cosine has come to −cos ψ, at phase π − ψ")});
 }
 
-Derivations derivations_of_initial_conditions() {
-  return {
-      {"u26", cosine_is_shifted_sine},
-      {"u27a", first_acceleration_of_cosine},
-      {"u27b", share_of_cosine},
-      {"u27c", phase_of_cosine},
-      {"u27d", amplitude_of_cosine},
-      {"u27e", scaled_amplitude_of_cosine},
-      {"97", equation_97},
-      {"98", equation_98},
-      {"99", equation_99},
-      {"100a", equation_100a},
-      {"100b", equation_100b},
-      {"u28", end_of_cosine_pulse},
-      {"101a", equation_101a},
-      {"101b", equation_101b},
-      {"102", equation_102},
-      {"103", equation_103},
-      {"104", equation_104},
-      {"u29", linear_amplitude_of_cosine},
-      // Results of our own: what the cosine pulse does to a block at rest
-      {"r13", first_acceleration_to_the_right},
-      {"r14", start_under_cosine},
-      {"r15", threshold_of_cosine_from_rest},
-  };
+}  // namespace
+
+/// Long because it is a list: one entry for each row.
+void derive_initial_conditions(Derivations& rows) {
+  rows.add("u26", cosine_is_shifted_sine);
+  rows.add("u27a", first_acceleration_of_cosine);
+  rows.add("u27b", share_of_cosine);
+  rows.add("u27c", phase_of_cosine);
+  rows.add("u27d", amplitude_of_cosine);
+  rows.add("u27e", scaled_amplitude_of_cosine);
+  rows.add("97", [] {
+    const LinearEquation equation = linear_equation(Side::positive, Pulse::cosine);
+    return to_order(derived(thetaddot - pow(equation.k, 2) * theta,
+                            with_amplitude(equation.forcing, Pulse::cosine).expand(),
+                            {from("21b", "Take # to first order in α, θ and α_p/g"),
+                             {"with", u_gddot, ground_acceleration(Pulse::cosine)},
+                             from(linear_amplitude_of_cosine(), "and")}),
+                    1, "alpha, theta, a_p/g");
+  });
+  rows.add("98", [] {
+    return derived(
+        theta, cosine_motion(),
+        {from("97", "Solve"), in_words("by undetermined coefficients, with sinh p t and cosh p t")});
+  });
+  rows.add("99", [] {
+    return derived(thetadot / p, (cosine_motion().diff(t) / p).expand(), {from("98", "Differentiate")});
+  });
+  rows.add("100a", [] {
+    return derived(A_3, forced_constants(Side::positive, Pulse::cosine).C.normal(),
+                   {from("99", "Set t = 0 and θ̇ = θ̇_0 in #")});
+  });
+  rows.add("100b", [] {
+    return derived(A_4, forced_constants(Side::positive, Pulse::cosine).D.normal(),
+                   {from("98", "Set t = 0 and θ = θ_0 in")});
+  });
+  rows.add("u28", end_of_cosine_pulse);
+  rows.add("101a", [] {
+    return derived(theta_ex, angle_at_end(Side::positive, Pulse::cosine),
+                   {from("98", "# at T_ex, where the cosine is 0")});
+  });
+  rows.add("101b", [] {
+    return derived(thetadot_ex / p, rate_at_end(Side::positive, Pulse::cosine),
+                   {from("99", "# at T_ex, where the sine is −1")});
+  });
+  rows.add("102", [] {
+    const ex growth = exp(p * T_ex);
+    const ex sum = critical_sum(Side::positive, angle_at_end(Side::positive, Pulse::cosine),
+                                p * rate_at_end(Side::positive, Pulse::cosine));
+    const ex joined = in_exponentials(sum).expand().subs(exp(-p * T_ex) == 1 / growth).expand();
+    return derived(joined.coeff(growth, 1), -joined.coeff(growth, 0) / growth,
+                   {from("75", "Into"), from("101a", "put"), from("101b", "and"),
+                    in_words("sinh and cosh join to e^{p T_ex}")});
+  });
+  rows.add("103", [] {
+    return threshold(overturning_cosine_pulse(),
+                     {from("102", "Into"), from("100a", "put"), from("100b", "and"),
+                      in_words("and divide by the factor of e^{−p T_ex}")},
+                     {end(Pulse::cosine)});
+  });
+  rows.add("104", [] {
+    return threshold(overturning_sine_pulse(),
+                     {from("68", "Into"), from("69a", "put"), from("69b", "and"), from("58a", "with"),
+                      from("58b", "and"), in_words("and divide by the factor of e^{−p T_ex}")},
+                     {end(Pulse::sine)});
+  });
+  rows.add("u29", linear_amplitude_of_cosine);
+  // Results of our own: what the cosine pulse does to a block at rest
+  rows.add("r13", [] {
+    const LinearEquation equation = linear_equation(Side::positive, Pulse::cosine);
+    return derived(
+        thetaddot_0, with_amplitude(equation.forcing, Pulse::cosine).subs(t == 0).expand(),
+        {from("97", "# at rest and upright, just after t = 0,"),
+         in_words("which is negative: the block is pressed onto its base and does not turn to θ > 0. To turn "
+                  "to θ < 0 it needs more than α g, and the acceleration decreases")});
+  });
+  rows.add("r14", start_under_cosine);
+  rows.add("r15", [] {
+    return threshold(
+        overturning_cosine_pulse_from_rest(),
+        {from(start_under_cosine(), "Rocking begins, from rest, at phase π − ψ, where"),
+         in_words("with time counted from there the acceleration is −α_p cos(ω_p t − ψ), until phase 3π/2"),
+         from("75", "The critical motion has"),
+         in_words("and dividing by the factor of the exponential gives the threshold: the one of half a "
+                  "sine, with π/2 − ψ for its phase")},
+        {});
+  });
 }
 
 }  // namespace rederive::rocking_block

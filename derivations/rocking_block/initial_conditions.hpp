@@ -6,22 +6,18 @@
 
 namespace rederive::rocking_block {
 
-/// (103) and (104): the threshold without impact from theta_0, thetadot_0, for θ > 0 under the cosine and for
-/// θ < 0 under the sine.
+/// Return the thresholds without impact from theta_0 and thetadot_0: (103) for θ > 0 under the cosine pulse,
+/// and (104) for θ < 0 under the sine pulse.
 ThresholdEquation overturning_cosine_pulse();
 ThresholdEquation overturning_sine_pulse();
-/// The cosine pulse from rest: the block stands until the acceleration has come to −α g, at phase π − ψ, then
-/// turns towards θ > 0 until the pulse ends at phase 3π/2.
+/// Returns the threshold of the cosine pulse from rest. The block does not move until the acceleration is −α
+/// g, at phase π − ψ; then it turns towards θ > 0 until the pulse ends at phase 3π/2.
 ThresholdEquation overturning_cosine_pulse_from_rest();
 
+/// Derives the phase ψ at which the cosine pulse has a share λ of its amplitude.
 Derivation phase_of_cosine();
 
-/// Results of our own: θ̈ just after t = 0 on the side θ > 0, for a block at rest under the cosine pulse:
-/// negative, so it cannot turn there; when it does start; and the threshold that this motion has.
-Derivation first_acceleration_to_the_right();
-Derivation start_under_cosine();
-
-/// (97) to (104), and results of our own.
-Derivations derivations_of_initial_conditions();
+/// Adds the derivations of (97) to (104), and of results of our own.
+void derive_initial_conditions(Derivations& rows);
 
 }  // namespace rederive::rocking_block

@@ -61,127 +61,16 @@ ex slope_of_diagonal() {
 
 namespace {
 
-Derivation equation_23() {
-  const ex moment = moment_at_rest();
-  const ex force = moment.coeff(u_gddot, 1) * H / m, hold = -moment.coeff(u_gddot, 0);
-  return derived(
-      force, hold,
-      {from("11", "In"),
-       in_words("the block turns about O (θ̈ < 0) as soon as the moment of H = m ü_g, which acts at the "
-                "height of C, exceeds that of the weight")},
-      {}, ">=");
-}
-
 Derivation force_before_rocking() {
   return derived(
       H, m * u_gddot,
       {in_words("As long as the block stands, C moves with the ground; H is what accelerates it")});
 }
 
-Derivation force_at_peak() {
-  Derivation result =
-      derived(m * u_gddot, m * a_p,
-              {in_words("The ground acceleration reaches its amplitude α_p at its peak, and only there")});
-  result.assumption = "u_gddot = a_p: the ground acceleration is at its peak";
-  return result;
-}
-
-Derivation equation_24a() {
-  return derived(
-      a_p, acceleration_that_suffices(),
-      {from("23", "The condition"), from(force_before_rocking(), "with"),
-       in_words(
-           "must be met at some time, so it must be met at the peak, where ü_g = α_p; divide by m R cos α")},
-      {}, ">=");
-}
-
-Derivation equation_24b() {
-  return derived(a_p_min, acceleration_that_suffices(), {from("24a", "The smallest amplitude that meets")});
-}
-
-Derivation equation_25a() { return derived(H_0, first_horizontal_force(), {in_words(newton_right)}); }
-
-Derivation equation_25b() {
-  const ex force = by_share(first_horizontal_force()).subs(R * cos(alpha) == h);
-  std::vector<Given> given = sides_of_the_block();
-  given.push_back(share());
-  return derived(H_0, force,
-                 {from("25a", "The force"), {"with λ, the share of the amplitude", u_gddot_0, lambda * a_p}},
-                 given);
-}
-
-Derivation equation_26a() { return derived(V_0, first_vertical_force(), {in_words(newton_up)}); }
-
-Derivation equation_26b() {
-  return derived(V_0, first_vertical_force(), {from("26a", "The force #, in b")}, sides_of_the_block());
-}
-
-Derivation equation_27() {
-  return derived(
-      -moments_about_centre(), 0,
-      {in_words("H(0) and V(0) act at O, b to the left of C and h below it: their clockwise moment about C "
-                "is b V(0) − h H(0), and it gives the angular acceleration; the weight has none")});
-}
-
-Derivation share_at_most_one() {
-  return derived(1, lambda, {in_words("λ α_p = ü_g(0) cannot exceed the amplitude α_p, which is positive")},
-                 {}, ">=");
-}
-
-Derivation share_at_least() {
-  return derived(lambda * a_p, acceleration_that_suffices(),
-                 {from("23", "Rocking must begin at t = 0, #"), in_words("with H = m λ α_p")}, {}, ">=");
-}
-
-Derivation equation_28a() {
-  const ex radius = 3 * g / (4 * pow(p, 2));
-  return derived(thetaddot_0, first_angular_acceleration().subs(R == radius).expand(),
-                 {from("25b", "Put"),
-                  from("26b", "and"),
-                  from("27", "into"),
-                  {"with", J_c, m * pow(R, 2) / 3},
-                  {"and", R, radius}});
-}
-
-Derivation equation_28b() {
-  return derived(pow(p, 2), m * g * R / moment_of_inertia_about_pivot().right,
-                 {in_words("As in (21): the moment m g R of the weight over J_o")});
-}
-
-Derivation equation_30() {
-  return derived(mu, H_0 / V_0, {in_words("Divide (29) by V(0): the ground can only push, V(0) > 0")}, {},
-                 ">=");
-}
-
-Derivation equation_31() {
-  return derived(mu, first_friction_demand(),
-                 {from("30", "In"), from("25b", "put"), from("26b", "and"), from("28a", "with")}, {}, ">=");
-}
-
 Derivation start_of_gradual_pulse() {
   return derived(lambda * a_p, acceleration_that_suffices(),
                  {from(first_acceleration(), "A pulse that grows from zero sets the block in motion when"),
                   in_words("time is counted from there, and λ α_p is the acceleration at that moment")});
-}
-
-Derivation equation_32a() {
-  const ex slope = sin(alpha) / cos(alpha);
-  const ex gradual = first_friction_demand().subs(lambda == g * slope / a_p).normal();
-  return derived(mu, gradual,
-                 {from("31", "In"),
-                  {"put the acceleration that just suffices, as it does where it grows from zero",
-                   lambda * a_p, g * tan(alpha)}},
-                 sides_of_the_block(), ">=");
-}
-
-Derivation equation_33() {
-  Derivation result =
-      derived(mu, H / V,
-              {in_words("Coulomb: no sliding while |H| < μ V, with V > 0 as long as there is contact"),
-               in_words("which is this for H > 0, and μ > −H/V for H < 0")},
-              {}, ">");
-  result.assumption = "H >= 0; where H < 0 the condition is mu > -H/V";
-  return result;
 }
 
 }  // namespace
@@ -192,34 +81,105 @@ Derivation first_acceleration() {
       {from("23", "Rocking begins when the moment of the weight is reached, #"), in_words("with H = m ü_g")});
 }
 
-Derivation equation_32b() {
-  return derived(b / h, slope_of_diagonal(), {in_words("The sides of the block, R sin α and R cos α")});
-}
-
-Derivations derivations_of_initiation() {
-  return {
-      {"23", equation_23},
-      {"u9a", force_before_rocking},
-      {"u9b", force_at_peak},
-      {"24a", equation_24a},
-      {"24b", equation_24b},
-      {"25a", equation_25a},
-      {"25b", equation_25b},
-      {"26a", equation_26a},
-      {"26b", equation_26b},
-      {"27", equation_27},
-      {"u10a", share_at_most_one},
-      {"u10b", share_at_least},
-      {"28a", equation_28a},
-      {"28b", equation_28b},
-      {"30", equation_30},
-      {"31", equation_31},
-      {"u11", start_of_gradual_pulse},
-      {"32a", equation_32a},
-      {"32b", equation_32b},
-      {"33", equation_33},
-      {"u18", start_of_gradual_pulse},
-  };
+/// Long because it is a list: one entry for each row.
+void derive_initiation(Derivations& rows) {
+  rows.add("23", [] {
+    const ex moment = moment_at_rest();
+    const ex force = moment.coeff(u_gddot, 1) * H / m, hold = -moment.coeff(u_gddot, 0);
+    return derived(
+        force, hold,
+        {from("11", "In"),
+         in_words("the block turns about O (θ̈ < 0) as soon as the moment of H = m ü_g, which acts at the "
+                  "height of C, exceeds that of the weight")},
+        {}, ">=");
+  });
+  rows.add("u9a", force_before_rocking);
+  rows.add("u9b", [] {
+    return assuming(
+        derived(m * u_gddot, m * a_p,
+                {in_words("The ground acceleration reaches its amplitude α_p at its peak, and only there")}),
+        "u_gddot = a_p: the ground acceleration is at its peak");
+  });
+  rows.add("24a", [] {
+    return derived(a_p, acceleration_that_suffices(),
+                   {from("23", "The condition"), from(force_before_rocking(), "with"),
+                    in_words("must be met at some time, so it must be met at the peak, where ü_g = α_p; "
+                             "divide by m R cos α")},
+                   {}, ">=");
+  });
+  rows.add("24b", [] {
+    return derived(a_p_min, acceleration_that_suffices(), {from("24a", "The smallest amplitude that meets")});
+  });
+  rows.add("25a", [] { return derived(H_0, first_horizontal_force(), {in_words(newton_right)}); });
+  rows.add("25b", [] {
+    const ex force = by_share(first_horizontal_force()).subs(R * cos(alpha) == h);
+    std::vector<Given> given = sides_of_the_block();
+    given.push_back(share());
+    return derived(
+        H_0, force,
+        {from("25a", "The force"), {"with λ, the share of the amplitude", u_gddot_0, lambda * a_p}}, given);
+  });
+  rows.add("26a", [] { return derived(V_0, first_vertical_force(), {in_words(newton_up)}); });
+  rows.add("26b", [] {
+    return derived(V_0, first_vertical_force(), {from("26a", "The force #, in b")}, sides_of_the_block());
+  });
+  rows.add("27", [] {
+    return derived(
+        -moments_about_centre(), 0,
+        {in_words("H(0) and V(0) act at O, b to the left of C and h below it: their clockwise moment about C "
+                  "is b V(0) − h H(0), and it gives the angular acceleration; the weight has none")});
+  });
+  rows.add("u10a", [] {
+    return derived(1, lambda, {in_words("λ α_p = ü_g(0) cannot exceed the amplitude α_p, which is positive")},
+                   {}, ">=");
+  });
+  rows.add("u10b", [] {
+    return derived(lambda * a_p, acceleration_that_suffices(),
+                   {from("23", "Rocking must begin at t = 0, #"), in_words("with H = m λ α_p")}, {}, ">=");
+  });
+  rows.add("28a", [] {
+    const ex radius = 3 * g / (4 * pow(p, 2));
+    return derived(thetaddot_0, first_angular_acceleration().subs(R == radius).expand(),
+                   {from("25b", "Put"),
+                    from("26b", "and"),
+                    from("27", "into"),
+                    {"with", J_c, m * pow(R, 2) / 3},
+                    {"and", R, radius}});
+  });
+  rows.add("28b", [] {
+    return derived(pow(p, 2), m * g * R / moment_of_inertia_about_pivot().right,
+                   {in_words("As in (21): the moment m g R of the weight over J_o")});
+  });
+  rows.add("30", [] {
+    return derived(mu, H_0 / V_0, {in_words("Divide (29) by V(0): the ground can only push, V(0) > 0")}, {},
+                   ">=");
+  });
+  rows.add("31", [] {
+    return derived(mu, first_friction_demand(),
+                   {from("30", "In"), from("25b", "put"), from("26b", "and"), from("28a", "with")}, {}, ">=");
+  });
+  rows.add("u11", start_of_gradual_pulse);
+  rows.add("32a", [] {
+    const ex slope = sin(alpha) / cos(alpha);
+    const ex gradual = first_friction_demand().subs(lambda == g * slope / a_p).normal();
+    return derived(mu, gradual,
+                   {from("31", "In"),
+                    {"put the acceleration that just suffices, as it does where it grows from zero",
+                     lambda * a_p, g * tan(alpha)}},
+                   sides_of_the_block(), ">=");
+  });
+  rows.add("32b", [] {
+    return derived(b / h, slope_of_diagonal(), {in_words("The sides of the block, R sin α and R cos α")});
+  });
+  rows.add("33", [] {
+    return assuming(
+        derived(mu, H / V,
+                {in_words("Coulomb: no sliding while |H| < μ V, with V > 0 as long as there is contact"),
+                 in_words("which is this for H > 0, and μ > −H/V for H < 0")},
+                {}, ">"),
+        "H >= 0; where H < 0 the condition is mu > -H/V");
+  });
+  rows.add("u18", start_of_gradual_pulse);
 }
 
 }  // namespace rederive::rocking_block

@@ -5,21 +5,20 @@
 
 namespace rederive::rocking_block {
 
-/// ü_g at which a block at rest begins to rock, (24): g tan α.
+/// Returns the ground acceleration ü_g at which a block at rest begins to rock, g tan α of (24).
 GiNaC::ex acceleration_that_suffices();
-/// θ̈(0) of (28) from rest under ü_g(0) = λ α_p > g tan α, in R, g, α, λ, a_p: from (25) to (27).
+/// Returns θ̈(0) of (28) from rest under ü_g(0) = λ α_p > g tan α, in R, g, α, λ and a_p, from (25) to (27).
 GiNaC::ex first_angular_acceleration();
-/// H(0)/V(0) of (31), with that angular acceleration.
+/// Returns H(0)/V(0) of (31) with that angular acceleration.
 GiNaC::ex first_friction_demand();
 
-/// b/h, from where the centre is at rest.
+/// Returns b/h by the position of the centre of mass at rest.
 GiNaC::ex slope_of_diagonal();
 
-/// ü_g(0) = g tan α, where the ground acceleration grows from zero.
+/// Derives ü_g(0) = g tan α for a ground acceleration that grows from zero.
 Derivation first_acceleration();
-Derivation equation_32b();
 
-/// (23) to (33).
-Derivations derivations_of_initiation();
+/// Adds the derivations of (23) to (33).
+void derive_initiation(Derivations& rows);
 
 }  // namespace rederive::rocking_block

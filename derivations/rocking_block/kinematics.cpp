@@ -84,19 +84,18 @@ Derivation vertical_displacement(Side side) {
 
 }  // namespace
 
-Derivations derivations_of_kinematics() {
-  return {
-      {"2a", [] { return total_displacement(Side::negative); }},
-      {"2b", [] { return horizontal_displacement(Side::negative); }},
-      {"3", [] { return vertical_displacement(Side::negative); }},
-      {"4a", [] { return horizontal_velocity(Side::negative); }},
-      {"4b", [] { return vertical_velocity(Side::negative); }},
-      {"12a", [] { return total_displacement(Side::positive); }},
-      {"12b", [] { return horizontal_displacement(Side::positive); }},
-      {"13", [] { return vertical_displacement(Side::positive); }},
-      {"15a", [] { return horizontal_velocity(Side::positive); }},
-      {"15b", [] { return vertical_velocity(Side::positive); }},
-  };
+/// Long because it is a list: one entry for each row.
+void derive_kinematics(Derivations& rows) {
+  rows.add("2a", [] { return total_displacement(Side::negative); });
+  rows.add("2b", [] { return horizontal_displacement(Side::negative); });
+  rows.add("3", [] { return vertical_displacement(Side::negative); });
+  rows.add("4a", [] { return horizontal_velocity(Side::negative); });
+  rows.add("4b", [] { return vertical_velocity(Side::negative); });
+  rows.add("12a", [] { return total_displacement(Side::positive); });
+  rows.add("12b", [] { return horizontal_displacement(Side::positive); });
+  rows.add("13", [] { return vertical_displacement(Side::positive); });
+  rows.add("15a", [] { return horizontal_velocity(Side::positive); });
+  rows.add("15b", [] { return vertical_velocity(Side::positive); });
 }
 
 }  // namespace rederive::rocking_block

@@ -1,5 +1,5 @@
-// Where the centre of mass is, and how it moves: (2) to (4) for θ < 0 about O, (12), (13), (15) for θ > 0
-// about O'.
+// The position and the motion of the centre of mass C: (2) to (4) for θ < 0 about O, and (12), (13) and (15)
+// for θ > 0 about O'.
 #pragma once
 
 #include <derivations/mechanics/plane.hpp>
@@ -9,28 +9,29 @@
 
 namespace rederive::rocking_block {
 
-/// On which side the block rocks: θ < 0 about O (Fig. 2a), θ > 0 about O' (Fig. 2b).
+/// The side on which the block rocks: θ < 0 about O (Fig. 2a), θ > 0 about O' (Fig. 2b).
 enum class Side { negative, positive };
 
-/// The rates along any motion of block and ground: θ → θ̇ → θ̈, u_g → u̇_g → ü_g.
+/// Returns the rates along any motion of block and ground: θ → θ̇ → θ̈ and u_g → u̇_g → ü_g.
 Rates block_rates();
-/// b = R sin α, h = R cos α.
+/// Returns b = R sin α and h = R cos α.
 std::vector<Given> sides_of_the_block();
 
-/// C as seen from the pivot, at distance R, inclined by α ± θ, to the right of O and to the left of O'.
+/// Returns C as seen from the pivot, at distance R and inclined by α ± θ, to the right of O or to the left of
+/// O'.
 Vector centre_from_pivot(Side side);
-/// How far C has moved against the ground since rest.
+/// Returns the displacement of C relative to the ground since rest.
 Vector centre_displacement(Side side);
-/// The velocity of C, whose pivot moves with the ground.
+/// Returns the velocity of C; the pivot moves with the ground.
 Vector centre_velocity(Side side);
-/// The acceleration of C.
+/// Returns the acceleration of C.
 Vector centre_acceleration(Side side);
 
-/// (4a), (15a) and (4b), (15b) for either side.
+/// Derive (4a) or (15a), and (4b) or (15b).
 Derivation horizontal_velocity(Side side);
 Derivation vertical_velocity(Side side);
 
-/// (2) to (4), (12), (13), (15).
-Derivations derivations_of_kinematics();
+/// Adds the derivations of (2) to (4), (12), (13), (15).
+void derive_kinematics(Derivations& rows);
 
 }  // namespace rederive::rocking_block

@@ -95,27 +95,19 @@ namespace {
 
 Derivation linearised(Side side, const char* exact, Pulse pulse) {
   const LinearEquation equation = linear_equation(side, pulse);
-  Derivation result =
+  return to_order(
       derived(thetaddot - pow(equation.k, 2) * theta, equation.forcing,
               {from(exact, "Take"),
                {"with", u_gddot, ground_acceleration(pulse)},
-               in_words("to first order in α, θ and α_p/g together: cos is 1, sin is its argument")});
-  result.order = 1;
-  result.small = "alpha, theta, a_p/g";
-  return result;
+               in_words("to first order in α, θ and α_p/g together: cos is 1, sin is its argument")}),
+      1, "alpha, theta, a_p/g");
 }
 
-Derivation equation_56a() { return linearised(Side::negative, "21a", Pulse::sine); }
-Derivation equation_56b() { return linearised(Side::positive, "21b", Pulse::sine); }
-
 Derivation linear_amplitude() {
-  Derivation result =
-      derived(a_p / (g * alpha), amplitude(Pulse::sine).value / (g * alpha),
-              {from("56a", "At rest and upright, about to move at t = 0, the right side of #"),
-               in_words("vanishes; without linearisation tan α stands for α")});
-  result.order = 1;
-  result.small = "alpha";
-  return result;
+  return to_order(derived(a_p / (g * alpha), amplitude(Pulse::sine).value / (g * alpha),
+                          {from("56a", "At rest and upright, about to move at t = 0, the right side of #"),
+                           in_words("vanishes; without linearisation tan α stands for α")}),
+                  1, "alpha");
 }
 
 Derivation forced(Side side, const char* equation) {
@@ -132,12 +124,6 @@ Derivation forced_rate(Side side, const char* motion) {
   const ex rate = forced_motion(side, Pulse::sine).diff(t);
   return derived(thetadot / p, (with_amplitude(rate, Pulse::sine) / p).expand(),
                  {from(motion, "Differentiate"), from(linear_amplitude(), "and put in the amplitude")});
-}
-
-Derivation constant(Side side, bool first, const char* motion, const char* rate) {
-  const Constants name = names(side), value = forced_constants(side, Pulse::sine);
-  return derived(first ? name.C : name.D, first ? value.C : value.D,
-                 {from(motion, "Set t = 0 in"), from(rate, "and in"), in_words("where θ = θ_0, θ̇ = θ̇_0")});
 }
 
 // Where the free block of (21) can stand: its weight above the pivot.
@@ -162,8 +148,6 @@ Derivation free_equation(Side side, const char* forced_equation) {
                  {from(forced_equation, "Let the ground rest in")});
 }
 
-Derivation equation_61a() { return free_equation(Side::negative, "56a"); }
-
 Derivation free(Side side, const char* equation) {
   return derived(theta, free_motion(side),
                  {from(equation, "Solve #, counting time from t_o"), in_words("sinh, cosh and a constant")});
@@ -175,66 +159,53 @@ Derivation free_rate(Side side, const char* motion) {
       {from(motion, "Differentiate"), in_words("the left side is the angular velocity at t, not at t_o")});
 }
 
-Derivation free_constant(Side side, bool first, const char* motion) {
+}  // namespace
+
+Derivation forced_constant(Side side, bool first) {
+  const bool is_left = side == Side::negative;
+  const Constants name = names(side), value = forced_constants(side, Pulse::sine);
+  return derived(first ? name.C : name.D, first ? value.C : value.D,
+                 {from(is_left ? "57a" : "57b", "Set t = 0 in"), from(is_left ? "59a" : "59b", "and in"),
+                  in_words("where θ = θ_0, θ̇ = θ̇_0")});
+}
+
+Derivation free_constant(Side side, bool first) {
   const Constants name = free_names(side);
   const Constants value =
       constants_from_start(linear_equation(side, Pulse::none), t_o, theta_to, thetadot_to);
-  return derived(first ? name.C : name.D, first ? value.C : value.D,
-                 {from(motion, "Set t = t_o in"), in_words("and in its derivative")});
+  return derived(
+      first ? name.C : name.D, first ? value.C : value.D,
+      {from(side == Side::negative ? "62a" : "62b", "Set t = t_o in"), in_words("and in its derivative")});
 }
 
-}  // namespace
-
-Derivation equation_57a() { return forced(Side::negative, "56a"); }
-Derivation equation_57b() { return forced(Side::positive, "56b"); }
-Derivation equation_59a() { return forced_rate(Side::negative, "57a"); }
-Derivation equation_59b() { return forced_rate(Side::positive, "57b"); }
-
-Derivation equation_58a() { return constant(Side::negative, true, "57a", "59a"); }
-
-Derivation equation_58b() { return constant(Side::negative, false, "57a", "59a"); }
-
-Derivation equation_58c() { return constant(Side::positive, true, "57b", "59b"); }
-
-Derivation equation_58d() { return constant(Side::positive, false, "57b", "59b"); }
-
-Derivation equation_61b() { return free_equation(Side::positive, "56b"); }
-Derivation equation_62a() { return free(Side::negative, "61a"); }
-Derivation equation_62b() { return free(Side::positive, "61b"); }
-Derivation equation_64a() { return free_constant(Side::negative, true, "62a"); }
-Derivation equation_64b() { return free_constant(Side::negative, false, "62a"); }
-Derivation equation_64c() { return free_constant(Side::positive, true, "62b"); }
-Derivation equation_64d() { return free_constant(Side::positive, false, "62b"); }
-
-Derivations derivations_of_linear_response() {
-  return {
-      {"56a", equation_56a},
-      {"56b", equation_56b},
-      {"57a", equation_57a},
-      {"57b", equation_57b},
-      {"58a", equation_58a},
-      {"58b", equation_58b},
-      {"58c", equation_58c},
-      {"58d", equation_58d},
-      {"59a", equation_59a},
-      {"59b", equation_59b},
-      {"60a", [] { return critical_angle(Side::positive, alpha); }},
-      {"60b", equation_60_rate},
-      {"60c", [] { return critical_angle(Side::negative, -alpha); }},
-      {"u19a", equation_60_rate},
-      {"u19b", [] { return critical_angle(Side::positive, alpha); }},
-      {"61a", equation_61a},
-      {"61b", equation_61b},
-      {"62a", equation_62a},
-      {"62b", equation_62b},
-      {"63a", [] { return free_rate(Side::negative, "62a"); }},
-      {"63b", [] { return free_rate(Side::positive, "62b"); }},
-      {"64a", equation_64a},
-      {"64b", equation_64b},
-      {"64c", equation_64c},
-      {"64d", equation_64d},
-      {"u21", linear_amplitude},
-  };
+/// Long because it is a list: one entry for each row.
+void derive_linear_response(Derivations& rows) {
+  rows.add("56a", [] { return linearised(Side::negative, "21a", Pulse::sine); });
+  rows.add("56b", [] { return linearised(Side::positive, "21b", Pulse::sine); });
+  rows.add("57a", [] { return forced(Side::negative, "56a"); });
+  rows.add("57b", [] { return forced(Side::positive, "56b"); });
+  rows.add("58a", [] { return forced_constant(Side::negative, true); });
+  rows.add("58b", [] { return forced_constant(Side::negative, false); });
+  rows.add("58c", [] { return forced_constant(Side::positive, true); });
+  rows.add("58d", [] { return forced_constant(Side::positive, false); });
+  rows.add("59a", [] { return forced_rate(Side::negative, "57a"); });
+  rows.add("59b", [] { return forced_rate(Side::positive, "57b"); });
+  rows.add("60a", [] { return critical_angle(Side::positive, alpha); });
+  rows.add("60b", equation_60_rate);
+  rows.add("60c", [] { return critical_angle(Side::negative, -alpha); });
+  rows.add("u19a", equation_60_rate);
+  rows.add("u19b", [] { return critical_angle(Side::positive, alpha); });
+  rows.add("61a", [] { return free_equation(Side::negative, "56a"); });
+  rows.add("61b", [] { return free_equation(Side::positive, "56b"); });
+  rows.add("62a", [] { return free(Side::negative, "61a"); });
+  rows.add("62b", [] { return free(Side::positive, "61b"); });
+  rows.add("63a", [] { return free_rate(Side::negative, "62a"); });
+  rows.add("63b", [] { return free_rate(Side::positive, "62b"); });
+  rows.add("64a", [] { return free_constant(Side::negative, true); });
+  rows.add("64b", [] { return free_constant(Side::negative, false); });
+  rows.add("64c", [] { return free_constant(Side::positive, true); });
+  rows.add("64d", [] { return free_constant(Side::positive, false); });
+  rows.add("u21", linear_amplitude);
 }
 
 }  // namespace rederive::rocking_block

@@ -6,33 +6,25 @@
 
 namespace rederive::rocking_block {
 
-/// A function of t at the time t_i of the impact.
+/// Returns an expression in t at the time t_i of the impact.
 inline GiNaC::ex at_impact(const GiNaC::ex& e) { return e.subs(t == t_i); }
-/// θ(t_i) = 0 during the pulse, times (1 + ω_p²/p²) sin ψ/α: (86) without its division. In ψ, ω_p, p, t_i.
+/// Returns θ(t_i) during the pulse, times (1 + ω_p²/p²) sin ψ/α: (86) without its division, in ψ, ω_p, p and
+/// t_i. It is 0 at an impact.
 GiNaC::ex impact_during_pulse();
-/// Left less right of (88), with t_i where the paper prints t. In ψ, ω_p, p, t_i, e.
+/// Returns the left side of (88) minus the right side, with t_i where the paper prints t, in ψ, ω_p, p, t_i
+/// and e.
 GiNaC::ex overturning_impact_during_pulse();
-/// θ(t_i)/α = 0 after the pulse: (92a). In ψ, ω_p, p, t_i.
+/// Returns θ(t_i)/α after the pulse, (92a), in ψ, ω_p, p and t_i. It is 0 at an impact.
 GiNaC::ex impact_after_pulse();
-/// e θ̇(t_i)/(p α) − 1 after the pulse: (96). In ψ, ω_p, p, t_i, e.
+/// Returns e θ̇(t_i)/(p α) − 1 after the pulse, (96), in ψ, ω_p, p, t_i and e.
 GiNaC::ex overturning_impact_after_pulse();
 
-Derivation equation_79a();
-Derivation equation_81();
-Derivation equation_82();
-Derivation equation_94a();
-Derivation equation_94b();
-
-/// Results of our own: (92a) and (96) without t_i. Its roots are the ends of the window of amplitudes that
-/// overturn after an impact behind the pulse; the one with the larger amplitude bounds the window from above.
-Derivation window_after_pulse();
-/// The time of that impact, which must not lie before T_ex.
+/// Returns the time of the impact after the pulse that leads to the threshold, by (92a) and (96); it must not
+/// lie before T_ex.
 Derivation time_of_critical_impact();
-/// At the threshold without impact, (71), a block that just comes back strikes with p α and is too slow.
-Derivation velocity_near_first_mode();
 
-/// (79) to (88), and (89) to (96) with results of our own.
-Derivations derivations_of_overturning_impact_during_pulse();
-Derivations derivations_of_overturning_impact_after_pulse();
+/// Add the derivations of (79) to (88), and of (89) to (96) with results of our own.
+void derive_overturning_impact_during_pulse(Derivations& rows);
+void derive_overturning_impact_after_pulse(Derivations& rows);
 
 }  // namespace rederive::rocking_block

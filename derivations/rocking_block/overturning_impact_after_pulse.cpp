@@ -39,36 +39,6 @@ ex overturning_impact_after_pulse() {
 
 namespace {
 
-Derivation equation_89a() {
-  return derived(theta, free_from_end(),
-                 {from("62a", "Free motion # from T_ex:"), from("66a", "with"), from("66b", "and")});
-}
-
-Derivation equation_89b() {
-  return derived(thetadot / p, (free_from_end().diff(t) / p).expand(), {from("89a", "Differentiate")});
-}
-
-Derivation equation_91a() {
-  return derived(theta_ex, alpha * scaled_angle_at_end() - alpha,
-                 {from("69a", "Into"), from("70a", "put"), from("70b", "and")});
-}
-
-Derivation equation_91b() {
-  return derived(thetadot_ex / p, (alpha * scaled_rate_at_end()).expand(),
-                 {from("69b", "Into"), from("70a", "put"), from("70b", "and")});
-}
-
-Derivation equation_92a() {
-  return derived(impact_after_pulse() + 1, 1,
-                 {from("89a", "At t_i the block is upright: in #"), from("91a", "put"), from("91b", "and"),
-                  in_words("and divide by α")});
-}
-
-Derivation equation_92b() {
-  return derived(thetadot_before, from_state_at_end(at_impact(free_from_end().diff(t))).expand(),
-                 {from("89b", "At t_i, in #"), from("91a", "put"), from("91b", "and")});
-}
-
 ex free_after_impact() {
   return general_solution(linear_equation(Side::positive, Pulse::none), t_i, c_1, c_2);
 }
@@ -88,61 +58,12 @@ ex growth_after_impact() {
   return 2 * growing_part(free_after_impact(), t_i).subs(lst{c_1 == c.C, c_2 == c.D});
 }
 
-Derivation equation_93a() {
-  return derived(theta, free_after_impact(), {from("61b", "Solve #, counting time from t_i")});
-}
-
-Derivation equation_93b() {
-  return derived(thetadot / p, (free_after_impact().diff(t) / p).expand(), {from("93a", "Differentiate")});
-}
-
 Derivation second_constant_after_impact() {
   return derived(c_2, free_constants_after_impact().D, {from("93a", "At t_i the block is upright: by #")});
 }
 
 Derivation first_constant_after_impact() {
   return derived(c_1, free_constants_after_impact().C, {from("93b", "At t_i, just after the impact, by #")});
-}
-
-Derivation first_constant_by_restitution() {
-  return derived(
-      thetadot_after / p, free_constants_after_impact().C.subs(thetadot_after == e * thetadot_before),
-      {from(first_constant_after_impact(), "With"), {"by the impact", thetadot_after, e * thetadot_before}});
-}
-
-}  // namespace
-
-Derivation equation_94a() {
-  return derived(at_corner(free_after_impact()) - alpha, 0,
-                 {from("93a", "At t_star the block is to stand on its corner: by #"),
-                  from(first_constant_after_impact(), "with"), from(second_constant_after_impact(), "and"),
-                  in_words("the velocity in it is the one after the impact")});
-}
-
-Derivation equation_94b() {
-  return derived(at_corner(free_after_impact().diff(t) / p).expand(), 0,
-                 {from("93b", "and to be at rest there: by #"),
-                  in_words("the velocity in it is the one after the impact")});
-}
-
-namespace {
-
-Derivation equation_95a() {
-  return derived(
-      (p * growth_after_impact()).expand(), 0,
-      {from("94a", "At no finite time do"), from("94b", "and"),
-       in_words("hold together: the corner is approached without end, when the part of (93a) that grows "
-                "is absent, c_1 + c_2 = 0")});
-}
-
-Derivation equation_95b() {
-  return derived((p * growth_after_impact()).expand().subs(thetadot_after == e * thetadot_before), 0,
-                 {from("95a", "With the impact"), {"", thetadot_after, e * thetadot_before}});
-}
-
-Derivation equation_96() {
-  return derived(overturning_impact_after_pulse() + 1, 1,
-                 {from("95b", "Into"), from("92b", "put"), in_words("and divide by p α")});
 }
 
 ex energy_at_end() { return (pow(scaled_rate_at_end(), 2) - pow(scaled_angle_at_end(), 2)); }
@@ -163,17 +84,7 @@ std::vector<Step> elimination() {
        energy_at_critical_impact()}};
 }
 
-Derivation overturns_after_pulse() {
-  std::vector<Step> steps = elimination();
-  steps.push_back(in_words("A faster impact overturns, a slower one does not"));
-  return derived(energy_at_end(), energy_at_critical_impact(), std::move(steps), {sine_end()}, ">");
-}
-
 }  // namespace
-
-Derivation window_after_pulse() {
-  return derived(energy_at_end(), energy_at_critical_impact(), elimination(), {sine_end()});
-}
 
 Derivation time_of_critical_impact() {
   const ex growth = exp(p * (t_i - T_ex));
@@ -185,44 +96,94 @@ Derivation time_of_critical_impact() {
       {sine_end()});
 }
 
-Derivation velocity_near_first_mode() {
-  // θ̇(T_ex) = −p (θ(T_ex) + α) by (68): the block that just comes back has left its corner from rest.
-  const ex square = pow(thetadot_ex / p, 2) - pow(theta_ex + alpha, 2) + pow(alpha, 2);
-  const ex critical = square.subs(thetadot_ex == -p * (theta_ex + alpha)).expand();
-  return derived(
-      thetadot_before, p * sqrt(critical),
-      {from("68", "At the threshold without impact"),
-       {"the impact of free motion from there has", pow(thetadot_before / p, 2), square},
-       in_words("so e θ̇ < p α after it, and by (95b) the block does not overturn: below (71) comes a "
-                "range of amplitudes that are safe")});
-}
-
-Derivations derivations_of_overturning_impact_after_pulse() {
-  return {
-      {"89a", equation_89a},
-      {"89b", equation_89b},
-      {"90a", equation_70a},
-      {"90b", equation_70b},
-      {"91a", equation_91a},
-      {"91b", equation_91b},
-      {"92a", equation_92a},
-      {"92b", equation_92b},
-      {"93a", equation_93a},
-      {"93b", equation_93b},
-      {"u24", second_constant_after_impact},
-      {"u25a", first_constant_after_impact},
-      {"u25b", first_constant_by_restitution},
-      {"94a", equation_94a},
-      {"94b", equation_94b},
-      {"95a", equation_95a},
-      {"95b", equation_95b},
-      {"96", equation_96},
-      // Results of our own: the window of amplitudes that overturn, and the impact at its ends
-      {"r9", window_after_pulse},
-      {"r10", overturns_after_pulse},
-      {"r11", time_of_critical_impact},
-      {"r12", velocity_near_first_mode},
-  };
+/// Long because it is a list: one entry for each row.
+void derive_overturning_impact_after_pulse(Derivations& rows) {
+  rows.add("89a", [] {
+    return derived(theta, free_from_end(),
+                   {from("62a", "Free motion # from T_ex:"), from("66a", "with"), from("66b", "and")});
+  });
+  rows.add("89b", [] {
+    return derived(thetadot / p, (free_from_end().diff(t) / p).expand(), {from("89a", "Differentiate")});
+  });
+  rows.add("90a", equation_70a);
+  rows.add("90b", equation_70b);
+  rows.add("91a", [] {
+    return derived(theta_ex, alpha * scaled_angle_at_end() - alpha,
+                   {from("69a", "Into"), from("70a", "put"), from("70b", "and")});
+  });
+  rows.add("91b", [] {
+    return derived(thetadot_ex / p, (alpha * scaled_rate_at_end()).expand(),
+                   {from("69b", "Into"), from("70a", "put"), from("70b", "and")});
+  });
+  rows.add("92a", [] {
+    return derived(impact_after_pulse() + 1, 1,
+                   {from("89a", "At t_i the block is upright: in #"), from("91a", "put"), from("91b", "and"),
+                    in_words("and divide by α")});
+  });
+  rows.add("92b", [] {
+    return derived(thetadot_before, from_state_at_end(at_impact(free_from_end().diff(t))).expand(),
+                   {from("89b", "At t_i, in #"), from("91a", "put"), from("91b", "and")});
+  });
+  rows.add("93a", [] {
+    return derived(theta, free_after_impact(), {from("61b", "Solve #, counting time from t_i")});
+  });
+  rows.add("93b", [] {
+    return derived(thetadot / p, (free_after_impact().diff(t) / p).expand(), {from("93a", "Differentiate")});
+  });
+  rows.add("u24", second_constant_after_impact);
+  rows.add("u25a", first_constant_after_impact);
+  rows.add("u25b", [] {
+    return derived(thetadot_after / p,
+                   free_constants_after_impact().C.subs(thetadot_after == e * thetadot_before),
+                   {from(first_constant_after_impact(), "With"),
+                    {"by the impact", thetadot_after, e * thetadot_before}});
+  });
+  rows.add("94a", [] {
+    return derived(at_corner(free_after_impact()) - alpha, 0,
+                   {from("93a", "At t_star the block is to stand on its corner: by #"),
+                    from(first_constant_after_impact(), "with"), from(second_constant_after_impact(), "and"),
+                    in_words("the velocity in it is the one after the impact")});
+  });
+  rows.add("94b", [] {
+    return derived(at_corner(free_after_impact().diff(t) / p).expand(), 0,
+                   {from("93b", "and to be at rest there: by #"),
+                    in_words("the velocity in it is the one after the impact")});
+  });
+  rows.add("95a", [] {
+    return derived(
+        (p * growth_after_impact()).expand(), 0,
+        {from("94a", "At no finite time do"), from("94b", "and"),
+         in_words("hold together: the corner is approached without end, when the part of (93a) that grows "
+                  "is absent, c_1 + c_2 = 0")});
+  });
+  rows.add("95b", [] {
+    return derived((p * growth_after_impact()).expand().subs(thetadot_after == e * thetadot_before), 0,
+                   {from("95a", "With the impact"), {"", thetadot_after, e * thetadot_before}});
+  });
+  rows.add("96", [] {
+    return derived(overturning_impact_after_pulse() + 1, 1,
+                   {from("95b", "Into"), from("92b", "put"), in_words("and divide by p α")});
+  });
+  // Results of our own: the window of amplitudes that overturn, and the impact at its ends
+  rows.add("r9",
+           [] { return derived(energy_at_end(), energy_at_critical_impact(), elimination(), {sine_end()}); });
+  rows.add("r10", [] {
+    std::vector<Step> steps = elimination();
+    steps.push_back(in_words("A faster impact overturns, a slower one does not"));
+    return derived(energy_at_end(), energy_at_critical_impact(), std::move(steps), {sine_end()}, ">");
+  });
+  rows.add("r11", time_of_critical_impact);
+  rows.add("r12", [] {
+    // θ̇(T_ex) = −p (θ(T_ex) + α) by (68): the block that just comes back has left its corner from rest.
+    const ex square = pow(thetadot_ex / p, 2) - pow(theta_ex + alpha, 2) + pow(alpha, 2);
+    const ex critical = square.subs(thetadot_ex == -p * (theta_ex + alpha)).expand();
+    return derived(
+        thetadot_before, p * sqrt(critical),
+        {from("68", "At the threshold without impact"),
+         {"the impact of free motion from there has", pow(thetadot_before / p, 2), square},
+         in_words("so e θ̇ < p α after it, and by (95b) the block does not overturn: below (71) comes a "
+                  "range of amplitudes that are safe")});
+  });
 }
 
 }  // namespace rederive::rocking_block

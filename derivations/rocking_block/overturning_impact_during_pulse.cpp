@@ -79,98 +79,73 @@ ex overturning_impact_during_pulse() {
   return (-condition.expand() * p / omega_p).expand().normal().expand();
 }
 
-Derivation equation_79a() {
-  return derived(theta, motion_after_impact(),
-                 {from("57b", "As in"), in_words("with time counted from the impact in sinh and cosh")});
-}
-
-namespace {
-
-Derivation equation_79b() {
-  return derived(thetadot / p, (motion_after_impact().diff(t) / p).expand(), {from("79a", "Differentiate")});
-}
-
-Derivation equation_80a() {
-  return derived(theta_ex, at_end_of_sine(motion_after_impact()),
-                 {from("79a", "# at T_ex, where the phase is 2π")});
-}
-
-Derivation equation_80b() {
-  return derived(thetadot_ex / p, at_end_of_sine((motion_after_impact().diff(t) / p).expand()),
-                 {from("79b", "# at T_ex, where the phase is 2π")});
-}
-
-}  // namespace
-
-Derivation equation_81() {
-  return derived(A_4, constants_after_impact().D, {from("79a", "At t_i the block is upright: by #")});
-}
-
-Derivation equation_82() {
-  return derived(
-      A_3, constants_after_impact().C,
-      {from("79b", "At t_i the block leaves with"), {"by the impact", thetadot_after, e * thetadot_before}});
-}
-
-namespace {
-
-Derivation equation_83() {
-  const ex growth = exp(p * (T_ex - t_i));
-  const CriticalSum sum = critical_after_impact({A_3, A_4});
-  return derived(sum.grown * growth, -sum.added,
-                 {from("75", "Into"), from("80a", "put"), from("80b", "and"),
-                  in_words("sinh and cosh join to e^{p(T_ex − t_i)}")});
-}
-
-Derivation equation_84() {
-  return derived(theta_i, at_impact(motion_before_impact()), {from("57a", "# at t_i, before the impact")});
-}
-
-Derivation equation_85() {
-  return derived(thetadot_before / p, (at_impact(rate_before_impact()) / p).expand(),
-                 {from("59a", "# at t_i, before the impact")});
-}
-
-Derivation equation_86() {
-  const ex vanishes = impact_during_pulse();
-  const ex of_cosine = vanishes.coeff(cos(psi), 1), of_sine = vanishes.coeff(cos(psi), 0) / sin(psi);
-  return derived(tan(psi), (-of_cosine / of_sine).normal(),
-                 {from("84", "The block is upright, θ_i = 0, in"),
-                  from("70a", "with"),
-                  from("70b", "and"),
-                  {"With sin(ω_p t_i + ψ) taken apart, and times (1 + ω_p²/p²) sin ψ/α,", vanishes, 0},
-                  in_words("which is linear in cos ψ and sin ψ")});
-}
-
-Derivation equation_87a() {
-  const Constants c = constants_after_impact();
-  return sorted((critical_after_impact(c).over_growth() * scale()).expand().normal(),
-                {from("83", "Into"), from("81", "put"), from("82", "and"),
-                 in_words("and multiply by (1 + ω_p²/p²) sin ψ/α · e^{−p(T_ex − t_i)}")});
-}
-
-Derivation equation_87b() {
-  const ex rate = (at_impact(rate_before_impact()) / p).subs(constants_from_rest());
-  return derived(thetadot_before / p, by_addition(rate),
-                 {from("85", "In"), from("70a", "put"), from("70b", "and")});
-}
-
-Derivation equation_88() {
-  return sorted(overturning_impact_during_pulse(),
-                {from("87a", "Into"), from("87b", "put"), in_words("and divide by −ω_p/p"),
-                 in_words("the time in it is t_i throughout")},
-                {{T_ex, end_of_pulse(Pulse::sine)}});
-}
-
-}  // namespace
-
-Derivations derivations_of_overturning_impact_during_pulse() {
-  return {
-      {"79a", equation_79a}, {"79b", equation_79b}, {"80a", equation_80a}, {"80b", equation_80b},
-      {"81", equation_81},   {"82", equation_82},   {"83", equation_83},   {"84", equation_84},
-      {"85", equation_85},   {"86", equation_86},   {"87a", equation_87a}, {"87b", equation_87b},
-      {"88", equation_88},
-  };
+/// Long because it is a list: one entry for each row.
+void derive_overturning_impact_during_pulse(Derivations& rows) {
+  rows.add("79a", [] {
+    return derived(theta, motion_after_impact(),
+                   {from("57b", "As in"), in_words("with time counted from the impact in sinh and cosh")});
+  });
+  rows.add("79b", [] {
+    return derived(thetadot / p, (motion_after_impact().diff(t) / p).expand(),
+                   {from("79a", "Differentiate")});
+  });
+  rows.add("80a", [] {
+    return derived(theta_ex, at_end_of_sine(motion_after_impact()),
+                   {from("79a", "# at T_ex, where the phase is 2π")});
+  });
+  rows.add("80b", [] {
+    return derived(thetadot_ex / p, at_end_of_sine((motion_after_impact().diff(t) / p).expand()),
+                   {from("79b", "# at T_ex, where the phase is 2π")});
+  });
+  rows.add("81", [] {
+    return derived(A_4, constants_after_impact().D, {from("79a", "At t_i the block is upright: by #")});
+  });
+  rows.add("82", [] {
+    return derived(A_3, constants_after_impact().C,
+                   {from("79b", "At t_i the block leaves with"),
+                    {"by the impact", thetadot_after, e * thetadot_before}});
+  });
+  rows.add("83", [] {
+    const ex growth = exp(p * (T_ex - t_i));
+    const CriticalSum sum = critical_after_impact({A_3, A_4});
+    return derived(sum.grown * growth, -sum.added,
+                   {from("75", "Into"), from("80a", "put"), from("80b", "and"),
+                    in_words("sinh and cosh join to e^{p(T_ex − t_i)}")});
+  });
+  rows.add("84", [] {
+    return derived(theta_i, at_impact(motion_before_impact()), {from("57a", "# at t_i, before the impact")});
+  });
+  rows.add("85", [] {
+    return derived(thetadot_before / p, (at_impact(rate_before_impact()) / p).expand(),
+                   {from("59a", "# at t_i, before the impact")});
+  });
+  rows.add("86", [] {
+    const ex vanishes = impact_during_pulse();
+    const ex of_cosine = vanishes.coeff(cos(psi), 1), of_sine = vanishes.coeff(cos(psi), 0) / sin(psi);
+    return derived(tan(psi), (-of_cosine / of_sine).normal(),
+                   {from("84", "The block is upright, θ_i = 0, in"),
+                    from("70a", "with"),
+                    from("70b", "and"),
+                    {"With sin(ω_p t_i + ψ) taken apart, and times (1 + ω_p²/p²) sin ψ/α,", vanishes, 0},
+                    in_words("which is linear in cos ψ and sin ψ")});
+  });
+  rows.add("87a", [] {
+    const Constants c = constants_after_impact();
+    return sorted((critical_after_impact(c).over_growth() * scale()).expand().normal(),
+                  {from("83", "Into"), from("81", "put"), from("82", "and"),
+                   in_words("and multiply by (1 + ω_p²/p²) sin ψ/α · e^{−p(T_ex − t_i)}")});
+  });
+  rows.add("87b", [] {
+    const ex rate = (at_impact(rate_before_impact()) / p).subs(constants_from_rest());
+    return derived(thetadot_before / p, by_addition(rate),
+                   {from("85", "In"), from("70a", "put"), from("70b", "and")});
+  });
+  rows.add("88", [] {
+    return sorted(overturning_impact_during_pulse(),
+                  {from("87a", "Into"), from("87b", "put"), in_words("and divide by −ω_p/p"),
+                   in_words("the time in it is t_i throughout")},
+                  {{T_ex, end_of_pulse(Pulse::sine)}});
+  });
 }
 
 }  // namespace rederive::rocking_block

@@ -132,58 +132,37 @@ Derivation threshold(Side side, const std::vector<const char*>& ingredients) {
   return derived(by_phase(found.left.subs(lst{theta_0 == 0, thetadot_0 == 0})), found.right, steps);
 }
 
-Derivation equation_67() { return no_growth(Side::negative, "62a"); }
-Derivation equation_73a() { return constant_at_end("64c", equation_64c()); }
-Derivation equation_73b() { return constant_at_end("64d", equation_64d()); }
-Derivation equation_74() { return no_growth(Side::positive, "62b"); }
-Derivation equation_76a() { return end_angle(Side::positive, "57b"); }
-Derivation equation_76b() { return end_rate(Side::positive, "59b"); }
-Derivation equation_77a() { return from_rest("58c", equation_58c()); }
-Derivation equation_77b() { return from_rest("58d", equation_58d()); }
-
 }  // namespace
-
-Derivation equation_66a() { return constant_at_end("64a", equation_64a()); }
-Derivation equation_66b() { return constant_at_end("64b", equation_64b()); }
 
 Derivation equation_68() { return critical(Side::negative, "67", "66a", "66b"); }
 
-Derivation equation_69a() { return end_angle(Side::negative, "57a"); }
-Derivation equation_69b() { return end_rate(Side::negative, "59a"); }
-Derivation equation_70a() { return from_rest("58a", equation_58a()); }
-Derivation equation_70b() { return from_rest("58b", equation_58b()); }
+Derivation equation_70a() { return from_rest("58a", forced_constant(Side::negative, true)); }
+Derivation equation_70b() { return from_rest("58b", forced_constant(Side::negative, false)); }
 
-Derivation equation_71() { return threshold(Side::negative, {"68", "69a", "69b", "70a", "70b"}); }
-
-Derivation equation_75() { return critical(Side::positive, "74", "73a", "73b"); }
-
-Derivation equation_78() { return threshold(Side::positive, {"75", "76a", "76b", "77a", "77b"}); }
-
-Derivations derivations_of_overturning_without_impact() {
-  return {
-      {"65a", [] { return corner_reached(Side::negative, "62a"); }},
-      {"65b", [] { return corner_at_rest(Side::negative, "62a"); }},
-      {"66a", equation_66a},
-      {"66b", equation_66b},
-      {"67", equation_67},
-      {"68", equation_68},
-      {"69a", equation_69a},
-      {"69b", equation_69b},
-      {"70a", equation_70a},
-      {"70b", equation_70b},
-      {"71", equation_71},
-      {"72a", [] { return corner_reached(Side::positive, "62b"); }},
-      {"72b", [] { return corner_at_rest(Side::positive, "62b"); }},
-      {"73a", equation_73a},
-      {"73b", equation_73b},
-      {"74", equation_74},
-      {"75", equation_75},
-      {"76a", equation_76a},
-      {"76b", equation_76b},
-      {"77a", equation_77a},
-      {"77b", equation_77b},
-      {"78", equation_78},
-  };
+/// Long because it is a list: one entry for each row.
+void derive_overturning_without_impact(Derivations& rows) {
+  rows.add("65a", [] { return corner_reached(Side::negative, "62a"); });
+  rows.add("65b", [] { return corner_at_rest(Side::negative, "62a"); });
+  rows.add("66a", [] { return constant_at_end("64a", free_constant(Side::negative, true)); });
+  rows.add("66b", [] { return constant_at_end("64b", free_constant(Side::negative, false)); });
+  rows.add("67", [] { return no_growth(Side::negative, "62a"); });
+  rows.add("68", equation_68);
+  rows.add("69a", [] { return end_angle(Side::negative, "57a"); });
+  rows.add("69b", [] { return end_rate(Side::negative, "59a"); });
+  rows.add("70a", equation_70a);
+  rows.add("70b", equation_70b);
+  rows.add("71", [] { return threshold(Side::negative, {"68", "69a", "69b", "70a", "70b"}); });
+  rows.add("72a", [] { return corner_reached(Side::positive, "62b"); });
+  rows.add("72b", [] { return corner_at_rest(Side::positive, "62b"); });
+  rows.add("73a", [] { return constant_at_end("64c", free_constant(Side::positive, true)); });
+  rows.add("73b", [] { return constant_at_end("64d", free_constant(Side::positive, false)); });
+  rows.add("74", [] { return no_growth(Side::positive, "62b"); });
+  rows.add("75", [] { return critical(Side::positive, "74", "73a", "73b"); });
+  rows.add("76a", [] { return end_angle(Side::positive, "57b"); });
+  rows.add("76b", [] { return end_rate(Side::positive, "59b"); });
+  rows.add("77a", [] { return from_rest("58c", forced_constant(Side::positive, true)); });
+  rows.add("77b", [] { return from_rest("58d", forced_constant(Side::positive, false)); });
+  rows.add("78", [] { return threshold(Side::positive, {"75", "76a", "76b", "77a", "77b"}); });
 }
 
 }  // namespace rederive::rocking_block

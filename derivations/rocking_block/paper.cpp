@@ -13,15 +13,20 @@ namespace rederive::rocking_block {
 namespace {
 
 Derivations all_derivations() {
-  Derivations all;
-  for (const Derivations& section :
-       {derivations_of_kinematics(), derivations_of_equation_of_motion(), derivations_of_energy(),
-        derivations_of_initiation(), derivations_of_impact(), derivations_of_sliding(),
-        derivations_of_pulse(), derivations_of_linear_response(), derivations_of_overturning_without_impact(),
-        derivations_of_overturning_impact_during_pulse(), derivations_of_overturning_impact_after_pulse(),
-        derivations_of_initial_conditions()})
-    all.add(section);
-  return all;
+  Derivations rows;
+  derive_kinematics(rows);
+  derive_equation_of_motion(rows);
+  derive_energy(rows);
+  derive_initiation(rows);
+  derive_impact(rows);
+  derive_sliding(rows);
+  derive_pulse(rows);
+  derive_linear_response(rows);
+  derive_overturning_without_impact(rows);
+  derive_overturning_impact_during_pulse(rows);
+  derive_overturning_impact_after_pulse(rows);
+  derive_initial_conditions(rows);
+  return rows;
 }
 
 Theorems theorems() {

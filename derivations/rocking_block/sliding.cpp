@@ -71,87 +71,63 @@ ex vertical_reaction(Side side) { return with_motion(g + centre_acceleration(sid
 
 namespace {
 
-Derivation equation_47a() {
-  return derived(H, m * (u_gddot - x_cddot),
-                 {{"Newton, to the right", H, m * u_cddot},
-                  {"and by (2), differentiated twice", u_cddot, u_gddot - x_cddot}});
-}
-
-Derivation equation_47b() {
-  return derived(V, m * (g + y_cddot),
-                 {in_words("Newton, upwards, as y_c is counted: V − m g = m ÿ_c"),
-                  in_words("At t = 0 this is (26), where ÿ_c(0) = −R θ̈(0) sin α")});
-}
-
-Derivation equation_48a() { return derived(x_c, way(0), {in_words("As in (2)")}, sides_of_the_block()); }
-
-Derivation equation_48b() { return derived(x_cdot, way(1), {from("48a", "Differentiate")}); }
-
-Derivation equation_48c() { return derived(x_cddot, way(2), {from("48b", "Differentiate")}); }
-
-Derivation equation_49a() { return derived(y_c, rise(0), {in_words("As in (3)")}); }
-
-Derivation equation_49b() { return derived(y_cdot, rise(1), {from("49a", "Differentiate")}); }
-
-Derivation equation_49c() { return derived(y_cddot, rise(2), {from("49b", "Differentiate")}); }
-
 Derivation horizontal_reaction_negative() { return horizontal(Side::negative, "21a"); }
 Derivation vertical_reaction_negative() { return vertical(Side::negative, "21a"); }
 Derivation friction_demand_negative() { return demand(Side::negative, "21a"); }
 
-Derivation equation_50c() {
-  Derivation result =
-      derived(H / V, mu, {in_words("Coulomb: |H| <= μ V, with V > 0 as long as there is contact")}, {}, "<=");
-  result.assumption = "H >= 0; where H < 0 the condition is -H/V <= mu";
-  return result;
-}
-
-Derivation equation_51a() {
-  return derived(H_0 / V_0, first_ratio().normal(),
-                 {from(friction_demand_negative(), "In"),
-                  {"put θ = 0, θ̇ = 0 and the acceleration that just suffices", u_gddot, g * tan(alpha)}},
-                 {acceleration_at_start()});
-}
-
-Derivation equation_51b() {
-  return derived(u_gddot_0 / g, first_acceleration().right / g, {from(first_acceleration(), "Divide by g")});
-}
-
-Derivation equation_51c() {
-  return derived(tan(alpha), mu, {from("51a", "Coulomb, with #"), in_words("which is positive")}, {}, "<=");
-}
-
 }  // namespace
 
-Derivations derivations_of_sliding() {
-  return {
-      {"47a", equation_47a},
-      {"47b", equation_47b},
-      {"48a", equation_48a},
-      {"48b", equation_48b},
-      {"48c", equation_48c},
-      {"49a", equation_49a},
-      {"49b", equation_49b},
-      {"49c", equation_49c},
-      {"50a", horizontal_reaction_negative},
-      {"50b", vertical_reaction_negative},
-      {"50", friction_demand_negative},
-      {"50c", equation_50c},
-      {"u17", first_acceleration},
-      {"51a", equation_51a},
-      {"51b", equation_51b},
-      {"51c", equation_51c},
-      // Results of our own: the reactions that are right, what friction must bear, and where V > 0 keeps
-      // contact
-      {"r1", horizontal_reaction_negative},
-      {"r2", vertical_reaction_negative},
-      {"r3", [] { return horizontal(Side::positive, "21b"); }},
-      {"r4", [] { return vertical(Side::positive, "21b"); }},
-      {"r5", friction_demand_negative},
-      {"r6", [] { return demand(Side::positive, "21b"); }},
-      {"r7", [] { return contact(Side::negative, "21a"); }},
-      {"r8", [] { return contact(Side::positive, "21b"); }},
-  };
+/// Long because it is a list: one entry for each row.
+void derive_sliding(Derivations& rows) {
+  rows.add("47a", [] {
+    return derived(H, m * (u_gddot - x_cddot),
+                   {{"Newton, to the right", H, m * u_cddot},
+                    {"and by (2), differentiated twice", u_cddot, u_gddot - x_cddot}});
+  });
+  rows.add("47b", [] {
+    return derived(V, m * (g + y_cddot),
+                   {in_words("Newton, upwards, as y_c is counted: V − m g = m ÿ_c"),
+                    in_words("At t = 0 this is (26), where ÿ_c(0) = −R θ̈(0) sin α")});
+  });
+  rows.add("48a", [] { return derived(x_c, way(0), {in_words("As in (2)")}, sides_of_the_block()); });
+  rows.add("48b", [] { return derived(x_cdot, way(1), {from("48a", "Differentiate")}); });
+  rows.add("48c", [] { return derived(x_cddot, way(2), {from("48b", "Differentiate")}); });
+  rows.add("49a", [] { return derived(y_c, rise(0), {in_words("As in (3)")}); });
+  rows.add("49b", [] { return derived(y_cdot, rise(1), {from("49a", "Differentiate")}); });
+  rows.add("49c", [] { return derived(y_cddot, rise(2), {from("49b", "Differentiate")}); });
+  rows.add("50a", horizontal_reaction_negative);
+  rows.add("50b", vertical_reaction_negative);
+  rows.add("50", friction_demand_negative);
+  rows.add("50c", [] {
+    return assuming(
+        derived(H / V, mu, {in_words("Coulomb: |H| <= μ V, with V > 0 as long as there is contact")}, {},
+                "<="),
+        "H >= 0; where H < 0 the condition is -H/V <= mu");
+  });
+  rows.add("u17", first_acceleration);
+  rows.add("51a", [] {
+    return derived(H_0 / V_0, first_ratio().normal(),
+                   {from(friction_demand_negative(), "In"),
+                    {"put θ = 0, θ̇ = 0 and the acceleration that just suffices", u_gddot, g * tan(alpha)}},
+                   {acceleration_at_start()});
+  });
+  rows.add("51b", [] {
+    return derived(u_gddot_0 / g, first_acceleration().right / g,
+                   {from(first_acceleration(), "Divide by g")});
+  });
+  rows.add("51c", [] {
+    return derived(tan(alpha), mu, {from("51a", "Coulomb, with #"), in_words("which is positive")}, {}, "<=");
+  });
+  // Results of our own: the reactions that are right, what friction must bear, and where V > 0 keeps
+  // contact
+  rows.add("r1", horizontal_reaction_negative);
+  rows.add("r2", vertical_reaction_negative);
+  rows.add("r3", [] { return horizontal(Side::positive, "21b"); });
+  rows.add("r4", [] { return vertical(Side::positive, "21b"); });
+  rows.add("r5", friction_demand_negative);
+  rows.add("r6", [] { return demand(Side::positive, "21b"); });
+  rows.add("r7", [] { return contact(Side::negative, "21a"); });
+  rows.add("r8", [] { return contact(Side::positive, "21b"); });
 }
 
 }  // namespace rederive::rocking_block

@@ -72,7 +72,7 @@ inline Result run_paper(const PaperOfATest& paper, std::vector<std::string> argu
     for (std::string& argument : arguments) argv.push_back(argument.data());
     const auto declared = [&] {
       paper.declare();
-      for (const auto& one : paper.derivations) own_paper().derivations.add({one});
+      for (const auto& [id, derive] : paper.derivations) own_paper().derivations.add(id, derive);
       return own_paper();
     };
     return rederive::run_ledger(declared, static_cast<int>(argv.size()), argv.data());

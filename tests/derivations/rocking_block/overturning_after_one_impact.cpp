@@ -23,7 +23,7 @@ double at(const ex& e, double omega_ratio, double psi, double restitution = 0.9,
 
 /// The ends of the window of r9 for omega_p/p: {psi of the larger amplitude, psi of the smaller}.
 std::pair<double, double> window(double omega_ratio) {
-  const ex ends = residual(window_after_pulse()), without_impact = residual(equation_71());
+  const ex ends = residual(derived("r9")), without_impact = residual(derived("71"));
   const auto f = [&](double psi) { return at(ends, omega_ratio, psi); };
   const double first_mode = root([&](double psi) { return at(without_impact, omega_ratio, psi); }, 1e-3, 1.5);
   double best = first_mode;
@@ -35,8 +35,8 @@ std::pair<double, double> window(double omega_ratio) {
 }  // namespace
 
 TEST_CASE("the motion after the impact leaves upright with e times the velocity, and obeys its equation") {
-  const lst constants{A_3 == equation_82().right, A_4 == equation_81().right};
-  const ex motion = equation_79a().right.subs(constants);
+  const lst constants{A_3 == derived("82").right, A_4 == derived("81").right};
+  const ex motion = derived("79a").right.subs(constants);
   CHECK(identical(motion.subs(t == t_i), 0));
   CHECK(identical(motion.diff(t).subs(t == t_i), e * thetadot_before));
   const Given a = amplitude(Pulse::sine);
@@ -61,7 +61,7 @@ TEST_CASE("an impact at the very end of the pulse is both during and after it") 
 
 TEST_CASE("(94a) and (94b) have no common solution at a finite time") {
   // Linear in θ̇_after/p and α: the determinant is sinh² − cosh².
-  const ex a = equation_94a().left, b = equation_94b().left;
+  const ex a = derived("94a").left, b = derived("94b").left;
   const ex determinant = a.coeff(thetadot_after, 1) * b.expand().coeff(alpha, 1) -
                          b.coeff(thetadot_after, 1) * a.expand().coeff(alpha, 1);
   CHECK(identical(determinant * p, 1));
@@ -69,11 +69,11 @@ TEST_CASE("(94a) and (94b) have no common solution at a finite time") {
 
 TEST_CASE("eliminating the impact time from (92a) and (96) leaves r9") {
   const ex angle = impact_after_pulse() + 1, rate = (overturning_impact_after_pulse() + 1) / e;
-  CHECK(identical(pow(rate, 2) - pow(angle, 2), window_after_pulse().left));
+  CHECK(identical(pow(rate, 2) - pow(angle, 2), derived("r9").left));
 }
 
 TEST_CASE("both ends of the window satisfy (92a) and (96), at the impact time of r11") {
-  const ex time = residual(time_of_critical_impact());
+  const ex time = residual(derived("r11"));
   const ex upright = with_end(impact_after_pulse()), critical = with_end(overturning_impact_after_pulse());
   for (const double omega_ratio : {5.0, 5.5, 6.0}) {
     const auto [upper, lower] = window(omega_ratio);
@@ -88,9 +88,9 @@ TEST_CASE("both ends of the window satisfy (92a) and (96), at the impact time of
 }
 
 TEST_CASE("at the threshold without impact a returning block is too slow: the window ends below it") {
-  CHECK(identical(velocity_near_first_mode().right, p * alpha));
-  const ex threshold = residual(equation_71()), ends = residual(window_after_pulse());
-  const ex energy = with_end(window_after_pulse().left);
+  CHECK(identical(derived("r12").right, p * alpha));
+  const ex threshold = residual(derived("71")), ends = residual(derived("r9"));
+  const ex energy = with_end(derived("r9").left);
   for (const double omega_ratio : {1.0, 3.0, 6.0}) {
     const double psi = root([&](double x) { return at(threshold, omega_ratio, x); }, 1e-3, 1.5);
     CHECK(at(energy, omega_ratio, psi) == doctest::Approx(0).epsilon(1e-8));
@@ -99,5 +99,5 @@ TEST_CASE("at the threshold without impact a returning block is too slow: the wi
 }
 
 TEST_CASE("a block that loses nothing at the impact has a window that reaches the threshold without impact") {
-  CHECK(window_after_pulse().right.subs(e == 1).is_zero());
+  CHECK(derived("r9").right.subs(e == 1).is_zero());
 }
