@@ -3,15 +3,8 @@
 // From the drawing of a block on the ground to its equation of motion, (21), every step computed as it
 // prints; and a first look at what the equation says, in the phase plane.
 //
-// Sample runs:  lesson-01-the-block-and-its-motion
-//               lesson-01-the-block-and-its-motion --step 3
-//               lesson-01-the-block-and-its-motion --format html --out lesson-01.html
-#include <fmt/format.h>
-
-#include <derivations/rocking_block/paper.hpp>
-#include <derivations/rocking_block/symbols.hpp>
-#include <lessons/illustrations/drawings.hpp>
-#include <lessons/page/run_lesson.hpp>
+// Sample run:  lesson-01-the-block-and-its-motion --step 3
+#include <lessons/rocking_block/lesson.hpp>
 
 using namespace rederive;
 
@@ -184,5 +177,5 @@ int main(int argc, char** argv) {
                 {"Equation (21)", equation_21},
                 {"The phase portrait", phase_portrait},
                 {"Try it", try_it}}};
-  return run_lesson(rocking_block::paper(), lesson, argc, argv);
+  return run_lesson(lesson, argc, argv);
 }

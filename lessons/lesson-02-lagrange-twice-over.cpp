@@ -3,11 +3,8 @@
 // The same equation of motion by two roads, energies and moments; and what the two lines of (21) have in
 // common.
 //
-// Sample runs:  lesson-02-lagrange-twice-over
-//               lesson-02-lagrange-twice-over --step 2
-#include <derivations/rocking_block/paper.hpp>
-#include <lessons/illustrations/drawings.hpp>
-#include <lessons/page/run_lesson.hpp>
+// Sample run:  lesson-02-lagrange-twice-over --step 2
+#include <lessons/rocking_block/lesson.hpp>
 
 using namespace rederive;
 
@@ -121,5 +118,5 @@ int main(int argc, char** argv) {
                 {"What a mirror says about (21)", mirror},
                 {"What a train says about (7)", train},
                 {"Try it", try_it}}};
-  return run_lesson(rocking_block::paper(), lesson, argc, argv);
+  return run_lesson(lesson, argc, argv);
 }

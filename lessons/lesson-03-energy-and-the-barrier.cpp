@@ -2,14 +2,8 @@
 //
 // How much energy it takes to overturn a block, why its stiffness is negative, and a sentence about signs.
 //
-// Sample runs:  lesson-03-energy-and-the-barrier
-//               lesson-03-energy-and-the-barrier --step 3
-#include <fmt/format.h>
-
-#include <derivations/rocking_block/paper.hpp>
-#include <derivations/rocking_block/symbols.hpp>
-#include <lessons/illustrations/drawings.hpp>
-#include <lessons/page/run_lesson.hpp>
+// Sample run:  lesson-03-energy-and-the-barrier --step 3
+#include <lessons/rocking_block/lesson.hpp>
 
 using namespace rederive;
 
@@ -143,5 +137,5 @@ int main(int argc, char** argv) {
                                 {"The total energy", total_energy},
                                 {"A word about signs", the_sign},
                                 {"Try it", try_it}}};
-  return run_lesson(rocking_block::paper(), lesson, argc, argv);
+  return run_lesson(lesson, argc, argv);
 }

@@ -2,13 +2,8 @@
 //
 // The acceleration that lifts an edge, the reactions at that instant, and the friction that is needed.
 //
-// Sample runs:  lesson-04-when-does-it-start-to-rock
-//               lesson-04-when-does-it-start-to-rock --step 4
-#include <fmt/format.h>
-
-#include <derivations/rocking_block/paper.hpp>
-#include <lessons/illustrations/drawings.hpp>
-#include <lessons/page/run_lesson.hpp>
+// Sample run:  lesson-04-when-does-it-start-to-rock --step 4
+#include <lessons/rocking_block/lesson.hpp>
 
 using namespace rederive;
 
@@ -129,5 +124,5 @@ int main(int argc, char** argv) {
                                 {"When the simple rule holds", tangent_only_at_the_start},
                                 {"A sentence to think about", one_sentence},
                                 {"Try it", try_it}}};
-  return run_lesson(rocking_block::paper(), lesson, argc, argv);
+  return run_lesson(lesson, argc, argv);
 }

@@ -2,15 +2,9 @@
 //
 // Angular momentum about the new corner, before and after, by integrating over the block.
 //
-// Sample runs:  lesson-05-the-impact
-//               lesson-05-the-impact --step 2
-#include <fmt/format.h>
-
+// Sample run:  lesson-05-the-impact --step 2
 #include <derivations/rocking_block/impact.hpp>
-#include <derivations/rocking_block/paper.hpp>
-#include <lessons/illustrations/drawings.hpp>
-#include <lessons/illustrations/experiments.hpp>
-#include <lessons/page/run_lesson.hpp>
+#include <lessons/rocking_block/lesson.hpp>
 
 using namespace rederive;
 
@@ -168,5 +162,5 @@ int main(int argc, char** argv) {
                 {"Numbers", numbers},
                 {"A rocking block comes to rest", decay},
                 {"Try it", try_it}}};
-  return run_lesson(rocking_block::paper(), lesson, argc, argv);
+  return run_lesson(lesson, argc, argv);
 }

@@ -2,14 +2,8 @@
 //
 // The forces at the corner during the motion; and how a special case finds the worst error of the paper.
 //
-// Sample runs:  lesson-06-reading-a-printed-equation
-//               lesson-06-reading-a-printed-equation --step 3
-#include <fmt/format.h>
-
-#include <derivations/rocking_block/paper.hpp>
-#include <lessons/illustrations/drawings.hpp>
-#include <lessons/illustrations/experiments.hpp>
-#include <lessons/page/run_lesson.hpp>
+// Sample run:  lesson-06-reading-a-printed-equation --step 3
+#include <lessons/rocking_block/lesson.hpp>
 
 using namespace rederive;
 
@@ -138,5 +132,5 @@ int main(int argc, char** argv) {
                 {"In numbers", in_numbers},
                 {"Leaving the ground", leaving_the_ground},
                 {"Try it", try_it}}};
-  return run_lesson(rocking_block::paper(), lesson, argc, argv);
+  return run_lesson(lesson, argc, argv);
 }

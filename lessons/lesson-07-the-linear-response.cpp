@@ -2,14 +2,8 @@
 //
 // Slender blocks: (21) becomes linear, and a linear equation can be solved. How good is it?
 //
-// Sample runs:  lesson-07-the-linear-response
-//               lesson-07-the-linear-response --step 2
-#include <fmt/format.h>
-
-#include <derivations/rocking_block/paper.hpp>
-#include <lessons/illustrations/drawings.hpp>
-#include <lessons/illustrations/experiments.hpp>
-#include <lessons/page/run_lesson.hpp>
+// Sample run:  lesson-07-the-linear-response --step 2
+#include <lessons/rocking_block/lesson.hpp>
 
 using namespace rederive;
 
@@ -155,5 +149,5 @@ int main(int argc, char** argv) {
                 {"The critical motion", critical},
                 {"How good is it?", how_good},
                 {"Try it", try_it}}};
-  return run_lesson(rocking_block::paper(), lesson, argc, argv);
+  return run_lesson(lesson, argc, argv);
 }

@@ -2,16 +2,8 @@
 //
 // One condition in one unknown: (71). Its root, a second root that is none, and a simulation that agrees.
 //
-// Sample runs:  lesson-08-overturning-without-impact
-//               lesson-08-overturning-without-impact --step 3
-#include <fmt/format.h>
-
-#include <cmath>
-#include <derivations/rocking_block/paper.hpp>
-#include <derivations/rocking_block/symbols.hpp>
-#include <lessons/illustrations/drawings.hpp>
-#include <lessons/illustrations/experiments.hpp>
-#include <lessons/page/run_lesson.hpp>
+// Sample run:  lesson-08-overturning-without-impact --step 3
+#include <lessons/rocking_block/lesson.hpp>
 
 using namespace rederive;
 
@@ -151,5 +143,5 @@ int main(int argc, char** argv) {
                 {"Two brackets in the paper", two_brackets},
                 {"A root that is none", a_false_root},
                 {"Try it", try_it}}};
-  return run_lesson(rocking_block::paper(), lesson, argc, argv);
+  return run_lesson(lesson, argc, argv);
 }

@@ -2,15 +2,8 @@
 //
 // Two unknowns, two equations, two cases; and a number in the paper that cannot be.
 //
-// Sample runs:  lesson-09-overturning-after-one-impact
-//               lesson-09-overturning-after-one-impact --step 4
-#include <fmt/format.h>
-
-#include <derivations/rocking_block/paper.hpp>
-#include <derivations/rocking_block/symbols.hpp>
-#include <lessons/illustrations/drawings.hpp>
-#include <lessons/illustrations/experiments.hpp>
-#include <lessons/page/run_lesson.hpp>
+// Sample run:  lesson-09-overturning-after-one-impact --step 4
+#include <lessons/rocking_block/lesson.hpp>
 
 using namespace rederive;
 
@@ -164,5 +157,5 @@ int main(int argc, char** argv) {
                 {"A number that cannot be", a_number_that_cannot_be},
                 {"A picture", a_picture},
                 {"Try it", try_it}}};
-  return run_lesson(rocking_block::paper(), lesson, argc, argv);
+  return run_lesson(lesson, argc, argv);
 }

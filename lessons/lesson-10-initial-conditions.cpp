@@ -2,14 +2,8 @@
 //
 // A block that is not quite upright or not quite at rest; and a pulse that begins at its peak.
 //
-// Sample runs:  lesson-10-initial-conditions
-//               lesson-10-initial-conditions --step 3
-#include <fmt/format.h>
-
-#include <derivations/rocking_block/paper.hpp>
-#include <lessons/illustrations/drawings.hpp>
-#include <lessons/illustrations/experiments.hpp>
-#include <lessons/page/run_lesson.hpp>
+// Sample run:  lesson-10-initial-conditions --step 3
+#include <lessons/rocking_block/lesson.hpp>
 
 using namespace rederive;
 
@@ -141,5 +135,5 @@ int main(int argc, char** argv) {
                 {"The sine once more", sine_again},
                 {"In numbers", in_numbers},
                 {"Try it", try_it}}};
-  return run_lesson(rocking_block::paper(), lesson, argc, argv);
+  return run_lesson(lesson, argc, argv);
 }

@@ -2,15 +2,8 @@
 //
 // The smallest amplitude against frequency; and windows of overturning after three, five, seven impacts.
 //
-// Sample runs:  lesson-11-the-spectrum
-//               lesson-11-the-spectrum --step 2
-#include <fmt/format.h>
-
-#include <cmath>
-#include <derivations/rocking_block/paper.hpp>
-#include <lessons/illustrations/drawings.hpp>
-#include <lessons/illustrations/experiments.hpp>
-#include <lessons/page/run_lesson.hpp>
+// Sample run:  lesson-11-the-spectrum --step 2
+#include <lessons/rocking_block/lesson.hpp>
 
 using namespace rederive;
 
@@ -173,5 +166,5 @@ int main(int argc, char** argv) {
                                 {"More than two modes", more_impacts},
                                 {"What to believe", what_to_believe},
                                 {"Try it", try_it}}};
-  return run_lesson(rocking_block::paper(), lesson, argc, argv);
+  return run_lesson(lesson, argc, argv);
 }

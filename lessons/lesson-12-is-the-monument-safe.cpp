@@ -2,15 +2,8 @@
 //
 // From dimensionless curves to metres and seconds; Eurocode 8; and how to read a published number.
 //
-// Sample runs:  lesson-12-is-the-monument-safe
-//               lesson-12-is-the-monument-safe --step 2
-#include <fmt/format.h>
-
-#include <derivations/rocking_block/paper.hpp>
-#include <derivations/rocking_block/symbols.hpp>
-#include <lessons/illustrations/drawings.hpp>
-#include <lessons/illustrations/experiments.hpp>
-#include <lessons/page/run_lesson.hpp>
+// Sample run:  lesson-12-is-the-monument-safe --step 2
+#include <lessons/rocking_block/lesson.hpp>
 #include <numerics/records/code_spectrum.hpp>
 
 using namespace rederive;
@@ -177,5 +170,5 @@ int main(int argc, char** argv) {
                                 {"A fair picture", a_fair_picture},
                                 {"A checklist for readers", a_checklist},
                                 {"Try it", try_it}}};
-  return run_lesson(rocking_block::paper(), lesson, argc, argv);
+  return run_lesson(lesson, argc, argv);
 }

@@ -1,0 +1,21 @@
+// What every lesson on the rocking block uses: the paper and its symbols, pictures, experiments, and the
+// main.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <derivations/rocking_block/paper.hpp>
+#include <derivations/rocking_block/symbols.hpp>
+#include <lessons/illustrations/drawings.hpp>
+#include <lessons/illustrations/experiments.hpp>
+#include <lessons/page/run_lesson.hpp>
+
+namespace rederive {
+
+/// Prints what the command line asks for of a lesson on the built-in paper. Returns the exit code.
+inline int run_lesson(const Lesson& lesson, int argc, char** argv) {
+  return run_lesson(rocking_block::paper(), lesson, argc, argv);
+}
+
+}  // namespace rederive
