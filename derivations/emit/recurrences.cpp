@@ -13,7 +13,7 @@ class Writer {
   explicit Writer(const std::set<std::string>& series) : series_(series) {}
 
   Tree coefficient(const Tree& tree) {
-    if (is_constant(*tree)) return times(constant(tree), leaf("first"));
+    if (is_constant(*tree)) return times(constant(tree), first());
     std::vector<Tree> children;
     switch (tree->kind) {
       case Node::Kind::symbol:
@@ -40,6 +40,11 @@ class Writer {
                        [&](const Tree& child) { return is_constant(*child); });
   }
 
+  Tree first() {
+    result.uses_first = true;
+    return leaf("first");
+  }
+
   static Tree times(const Tree& a, const Tree& b) {
     return make_tree(Node::Kind::product, "", {a, b}, {false, false});
   }
@@ -60,7 +65,7 @@ class Writer {
       else
         (node.inverse[i] ? divisors : factors).push_back(child);
     }
-    Tree value = factors.empty() ? leaf("first") : product_of(factors);
+    Tree value = factors.empty() ? first() : product_of(factors);
     if (!divisors.empty()) value = quotient(value, kept(product_of(divisors)));
     if (constants.size() == 1) return value;
     if (!divides[1]) constants.erase(constants.begin()), divides.erase(divides.begin());

@@ -59,6 +59,7 @@ struct Recurrences {
   };
   std::vector<Line> constants, lines;
   std::vector<std::pair<std::string, Tree>> rates;  ///< coefficient k of the rate of each series
+  bool uses_first = false;                          ///< whether `first` occurs
 };
 Recurrences recurrences(const RationalSystem& system);
 

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <derivations/emit/emit.hpp>
-#include <derivations/emit/infix.hpp>
+#include <derivations/emit/operations.hpp>
 #include <set>
 #include <stdexcept>
 
@@ -238,7 +238,7 @@ std::string text_of(const TaylorStepper& stepper, const Symbols& symbols, Target
            each(kept, cpp ? "    T {0}[order];\n" : "    const {0} = new Float64Array(order);\n");
   std::string body;
   for (const std::string& line : lines) body += wrapped("      " + line, "          ") + "\n";
-  if (body.find("first") != body.npos)
+  if (derived.uses_first)
     body = "      " + constant("first", cpp ? "T(k == 0 ? 1 : 0)" : "k === 0 ? 1 : 0") + "\n" + body;
   const Names about = documentation(stepper, system, arguments, symbols);
   const auto list = [](const Names& names, const std::string& each_of_them) {

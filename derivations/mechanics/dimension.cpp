@@ -201,7 +201,7 @@ std::string unit_text(const Dimension& dimension) {
   }
   if (above.empty()) above = "1";
   if (below.empty()) return above;
-  const bool several = below.find("·") != std::string::npos;
+  const bool several = std::ranges::count_if(dimension, &GiNaC::numeric::is_negative) > 1;
   return above + "/" + (several ? "(" + below + ")" : below);
 }
 

@@ -6,11 +6,13 @@
 
 namespace rederive::rocking_block {
 
+using namespace numerics;
+
 namespace {
 
 constexpr double largest = 20, factor = 1.02;
 
-std::string key_of(const numerics::PulseCase& asked) {
+std::string key_of(const PulseCase& asked) {
   return fmt::format("{}/{}/{}/{}/{}/{}/{}", asked.block.alpha, asked.block.restitution,
                      static_cast<int>(asked.model), static_cast<int>(asked.pulse), asked.omega_ratio,
                      static_cast<double>(asked.initial.angle), static_cast<double>(asked.initial.velocity));
@@ -22,8 +24,8 @@ const Kept& kept(std::map<std::string, Kept>& store, const std::string& key, Mak
   return found != store.end() ? found->second : store.emplace(key, make()).first->second;
 }
 
-numerics::ResponseOptions with_history() {
-  numerics::ResponseOptions options;
+ResponseOptions with_history() {
+  ResponseOptions options;
   options.history = true;
   return options;
 }
@@ -35,7 +37,7 @@ const Entry& Bench::row(const std::string& id) {
 }
 
 bool Bench::stands(const std::string& id) {
-  const Verdict verdict = row(id).proof.verdict;
+  const Verdict verdict = verdict_of(id);
   return verdict == Verdict::proved || verdict == Verdict::proved_under || verdict == Verdict::approximation;
 }
 
@@ -43,7 +45,7 @@ std::string Bench::say(const std::vector<std::string>& ids) {
   std::string text;
   for (const std::string& id : ids) {
     const std::string& right = row(id).correction;
-    add(text, fmt::format("({}) {}", id, verdict_of(id)));
+    add(text, fmt::format("({}) {}", id, to_string(verdict_of(id))));
     if (!right.empty())
       text +=
           ": right is " + print(parse_statement(right, paper().symbols), Notation::unicode, paper().symbols);
@@ -51,11 +53,11 @@ std::string Bench::say(const std::vector<std::string>& ids) {
   return text;
 }
 
-const std::vector<numerics::Window>& Bench::windows(const numerics::PulseCase& asked) {
+const std::vector<Window>& Bench::windows(const PulseCase& asked) {
   return kept(windows_, key_of(asked), [&] { return overturning_windows(asked); });
 }
 
-numerics::Window Bench::least(const numerics::PulseCase& asked) {
+Window Bench::least(const PulseCase& asked) {
   const auto window = least_window(windows(asked));
   if (!window) throw std::runtime_error("no amplitude up to 12 alpha*g overturns the block");
   return *window;
@@ -63,85 +65,80 @@ numerics::Window Bench::least(const numerics::PulseCase& asked) {
 
 /// The region of one code is connected: from the first (or last) amplitude of a row of them that has it,
 /// bisect. Under the cosine pulse the sides are exchanged.
-double Bench::edge(const numerics::PulseCase& asked, int code_under_sine, bool upper) {
-  const int code = asked.pulse == numerics::Pulse::sine ? code_under_sine : -code_under_sine;
+double Bench::edge(const PulseCase& asked, int code_under_sine, bool upper) {
+  const int code = asked.pulse == Pulse::sine ? code_under_sine : -code_under_sine;
   return kept(edges_, fmt::format("{}/{}/{}", key_of(asked), code, upper), [&] {
     double inside = 0, outside = 0;
-    for (double a = static_cast<double>(numerics::start_level(asked.block, asked.model)) * (1 + 1e-9);
-         a < largest; a *= factor) {
+    for (double a = static_cast<double>(start_level(asked.block, asked.model)) * (1 + 1e-9); a < largest;
+         a *= factor) {
       const bool has = outcome_at(asked, a).code == code;
       if (has ? upper || inside == 0 : upper == (inside > 0)) (has ? inside : outside) = a;
       if ((upper ? outside : inside) > 0) break;
     }
     if (inside == 0 || outside == 0) return upper ? 0 : inside;
-    return numerics::edge_of_code(asked, code, inside, outside).inside;
+    return edge_of_code(asked, code, inside, outside).inside;
   });
 }
 
-double Bench::handover_of(const numerics::PulseCase& asked) {
+double Bench::handover_of(const PulseCase& asked) {
   return kept(ratios_, "handover " + key_of(asked),
               [&] { return handover(asked).value_or(SpecialPoint{}).omega_ratio; });
 }
 
-double Bench::end_of(const numerics::PulseCase& asked) {
+double Bench::end_of(const PulseCase& asked) {
   return kept(ratios_, "end " + key_of(asked),
               [&] { return end_of_mode_2(asked).value_or(SpecialPoint{}).omega_ratio; });
 }
 
-numerics::Block paper_block(std::optional<double> restitution) {
-  return numerics::make_block(0.25, 2.14, restitution);
+Block paper_block(std::optional<double> restitution) { return make_block(0.25, 2.14, restitution); }
+
+PulseCase pulse_case(double omega_ratio, Model model, std::optional<double> restitution) {
+  return {paper_block(restitution), model, Pulse::sine, omega_ratio, {}};
 }
 
-numerics::PulseCase pulse_case(double omega_ratio, numerics::Model model, std::optional<double> restitution) {
-  return {paper_block(restitution), model, numerics::Pulse::sine, omega_ratio, {}};
+PulseCase cosine_case(double omega_ratio) {
+  return {paper_block(), Model::linear, Pulse::cosine, omega_ratio, {}};
 }
 
-numerics::PulseCase cosine_case(double omega_ratio) {
-  return {paper_block(), numerics::Model::linear, numerics::Pulse::cosine, omega_ratio, {}};
-}
-
-numerics::PulseCase with_initial(numerics::PulseCase asked, double theta_0, double thetadot_0) {
+PulseCase with_initial(PulseCase asked, double theta_0, double thetadot_0) {
   asked.initial = initial_state(asked.block, asked.model, theta_0, thetadot_0);
   return asked;
 }
 
-numerics::PulseCase with_alpha(numerics::PulseCase asked, double alpha, std::optional<double> restitution) {
-  asked.block = numerics::make_block(alpha, asked.block.p, restitution);
+PulseCase with_alpha(PulseCase asked, double alpha, std::optional<double> restitution) {
+  asked.block = make_block(alpha, asked.block.p, restitution);
   return asked;
 }
 
-std::vector<numerics::ClosedForm> roots_of(numerics::Form form, const numerics::PulseCase& asked) {
+std::vector<ClosedForm> roots_of(Form form, const PulseCase& asked) {
   auto roots = closed_forms(asked);
-  std::erase_if(roots, [&](const numerics::ClosedForm& root) { return root.form != form; });
+  std::erase_if(roots, [&](const ClosedForm& root) { return root.form != form; });
   return roots;
 }
 
-numerics::ClosedForm root_of(numerics::Form form, const numerics::PulseCase& asked) {
-  return roots_of(form, asked).at(0);
-}
+ClosedForm root_of(Form form, const PulseCase& asked) { return roots_of(form, asked).at(0); }
 
-double in_tangent(const numerics::PulseCase& asked, double amplitude) {
+double in_tangent(const PulseCase& asked, double amplitude) {
   return amplitude * asked.block.alpha / std::tan(asked.block.alpha);
 }
 
-int impacts_of(const numerics::Window& window) { return std::abs(window.code) - 1; }
+int impacts_of(const Window& window) { return std::abs(window.code) - 1; }
 
-numerics::GroundMotion ground_of(const numerics::PulseCase& asked, double amplitude) {
-  return numerics::pulse_motion(asked.pulse, asked.omega_ratio, amplitude,
-                                numerics::start_level(asked.block, asked.model));
+GroundMotion ground_of(const PulseCase& asked, double amplitude) {
+  return pulse_motion(asked.pulse, asked.omega_ratio, amplitude, start_level(asked.block, asked.model));
 }
 
-numerics::Response motion_at(const numerics::PulseCase& asked, double amplitude) {
+Response motion_at(const PulseCase& asked, double amplitude) {
   return respond(asked.block, asked.model, ground_of(asked, amplitude), asked.initial, with_history());
 }
 
-std::vector<numerics::Sample> samples_at(const numerics::PulseCase& asked, double amplitude) {
-  const numerics::GroundMotion ground = ground_of(asked, amplitude);
+std::vector<Sample> samples_at(const PulseCase& asked, double amplitude) {
+  const GroundMotion ground = ground_of(asked, amplitude);
   return sampled(ground, motion_at(asked, amplitude), ground.back().to, 400);
 }
 
-double first_time(const numerics::Response& motion, numerics::EventKind kind) {
-  for (const numerics::Event& event : motion.events)
+double first_time(const Response& motion, EventKind kind) {
+  for (const Event& event : motion.events)
     if (event.kind == kind) return static_cast<double>(event.time);
   return 0;
 }

@@ -15,7 +15,7 @@ class Bench {
  public:
   /// A row of equations.toml. Throws std::out_of_range if there is none with that id.
   const Entry& row(const std::string& id);
-  std::string verdict_of(const std::string& id) { return to_string(row(id).proof.verdict); }
+  Verdict verdict_of(const std::string& id) { return row(id).proof.verdict; }
   /// Whether it is proved, proved_under or approximation.
   bool stands(const std::string& id);
   /// "(24b) proved, (88) refuted: right is …".

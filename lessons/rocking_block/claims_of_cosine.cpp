@@ -7,18 +7,20 @@
 
 namespace rederive::rocking_block {
 
+using namespace numerics;
+
 namespace {
 
 constexpr double angle_at_start = 0.01;
 
-numerics::ClosedForm eq103(double ratio, double angle, double rate) {
-  return root_of(numerics::Form::eq103, with_initial(cosine_case(ratio), angle, rate));
+ClosedForm eq103(double ratio, double angle, double rate) {
+  return root_of(Form::eq103, with_initial(cosine_case(ratio), angle, rate));
 }
 
 /// (71) from rest, and (104) with initial conditions of the unfavourable sign.
-double eq71(double ratio) { return root_of(numerics::Form::eq71, pulse_case(ratio)).amplitude; }
+double eq71(double ratio) { return root_of(Form::eq71, pulse_case(ratio)).amplitude; }
 double eq104(double ratio) {
-  return root_of(numerics::Form::eq104, with_initial(pulse_case(ratio), -angle_at_start, -0.1)).amplitude;
+  return root_of(Form::eq104, with_initial(pulse_case(ratio), -angle_at_start, -0.1)).amplitude;
 }
 
 /// From which omega_p/p on (103) is the threshold of a motion that occurs, on a grid of 0.05; 0 if nowhere.
@@ -30,7 +32,7 @@ double first_admissible(double thetadot_0) {
 
 Finding admissible_103(Bench&, const Claim&) {
   const double slow = first_admissible(0.1), fast = first_admissible(0.2);
-  const numerics::ClosedForm at_1 = eq103(1, angle_at_start, 0.2), at_4 = eq103(4, angle_at_start, 0.1);
+  const ClosedForm at_1 = eq103(1, angle_at_start, 0.2), at_4 = eq103(4, angle_at_start, 0.1);
   return {slow == 0 && fast == 0       ? refuted
           : slow <= 0.5 && fast <= 0.5 ? confirmed
                                        : qualified,
@@ -39,7 +41,7 @@ Finding admissible_103(Bench&, const Claim&) {
 
 Finding cosine_from_rest(Bench& bench, const Claim&) {
   double first = -1;
-  for (const numerics::Sample& sample : samples_at(cosine_case(2), 2))
+  for (const Sample& sample : samples_at(cosine_case(2), 2))
     if (first < 0 && sample.angle != 0) first = static_cast<double>(sample.time);
   return {decided(first >= 0 && first < 0.02), {bench.say({"r13", "r14"}), first}};
 }
@@ -48,9 +50,7 @@ Finding threshold_cosine(Bench& bench, const Claim& claim) {
   double nearest = 1e9;
   const std::vector<double> ratios{0.5, 1.0, 2.0, 4.0, 6.0};
   const auto simulated = [&](double ratio) { return bench.mode_1(cosine_case(ratio)); };
-  const auto printed = [&](double ratio) {
-    return root_of(numerics::Form::eq103, cosine_case(ratio)).amplitude;
-  };
+  const auto printed = [&](double ratio) { return root_of(Form::eq103, cosine_case(ratio)).amplitude; };
   for (const double ratio : ratios)
     nearest = std::min(nearest, std::abs(simulated(ratio) / printed(ratio) - 1));
   const bool holds = claim.check == "threshold_103" ? nearest < 1e-6 : simulated(ratios.front()) == 0;
@@ -73,8 +73,7 @@ Finding push_and_minimum(Bench& bench, const Claim&) {
   for (const double sign : {-1.0, 1.0})
     for (const double ratio : {2.0, 4.0}) {
       const double rest = bench.least(pulse_case(ratio)).from;
-      const numerics::Window pushed =
-          bench.least(with_initial(pulse_case(ratio), sign * angle_at_start, sign * 0.1));
+      const Window pushed = bench.least(with_initial(pulse_case(ratio), sign * angle_at_start, sign * 0.1));
       ++tried, lower += pushed.from < rest;
       add(found,
           fmt::format("{:+g} at {:g}: {:.4f} (code {:+d}) against {:.4f}", sign * angle_at_start, ratio,
@@ -89,7 +88,7 @@ Finding caption_of_figure_14(Bench&, const Claim&) {
   int fine = 0, tried = 0;
   for (const double ratio : {1.0, 2.0, 4.0})
     for (const double sign : {0.0, 1.0, -1.0}) {
-      const numerics::ClosedForm root = eq103(ratio, sign * angle_at_start, sign * 0.1);
+      const ClosedForm root = eq103(ratio, sign * angle_at_start, sign * 0.1);
       ++tried, fine += root.admissible();
       if (!root.admissible() && ratio == 4)
         found +=
@@ -102,7 +101,7 @@ Finding more_unfavourable_103(Bench&, const Claim&) {
   const std::vector<double> ratios{1.0, 2.0, 3.0, 4.0, 6.0};
   int real = 0;
   const auto say = [&](double ratio) {
-    const numerics::ClosedForm cosine = eq103(ratio, angle_at_start, 0.1);
+    const ClosedForm cosine = eq103(ratio, angle_at_start, 0.1);
     const double sine = eq71(ratio), pushed = eq104(ratio);
     real += cosine.amplitude < std::min(sine, pushed) && cosine.admissible();
     return fmt::format("{:.4f}, {:.4f}, {:.4f}", cosine.amplitude, sine, pushed);

@@ -8,6 +8,8 @@
 
 namespace rederive::rocking_block {
 
+using namespace numerics;
+
 namespace {
 
 /// "a/b": the two numbers as printed.
@@ -30,7 +32,7 @@ std::string outcome_says(int code) {
 /// A threshold that two printed numbers bracket: as labelled (linear, alpha*g), and read in every other way.
 Finding bracket(Bench& bench, const Claim& claim) {
   const auto [below, above] = two_numbers(claim.printed);
-  const numerics::PulseCase asked = pulse_case(claim.omega_ratio);
+  const PulseCase asked = pulse_case(claim.omega_ratio);
   const int wanted = claim.impacts == 0 ? -1 : 2;
   const auto code = [&](const std::string& amplitude) {
     return outcome_at(asked, std::stod(amplitude)).code;
@@ -55,7 +57,7 @@ Finding bracket(Bench& bench, const Claim& claim) {
                   : labelled > std::stod(above) && std::stod(above) < 1
                       ? "neither overturns; below 1 αg the block does not even move"
                       : "neither overturns");
-  const bool full = !fits.empty() && fits.front().says.starts_with("nonlinear");
+  const bool full = !fits.empty() && fits.front().model == Model::nonlinear;
   found.push_back(
       fits.empty()
           ? ""
@@ -74,14 +76,14 @@ Finding linearized(Bench& bench, const Claim& claim) {
   for (const std::string& number : {below, above})
     for (const Reading& reading : fitting(compare_with(number, readings))) fits.push_back(reading);
   int linear = 0;
-  for (const Reading& reading : fits) linear += reading.says.starts_with("linear");
+  for (const Reading& reading : fits) linear += reading.model == Model::linear;
   return {fits.empty() ? undecided : decided(linear > 0),
           {claim.printed, linear, static_cast<int>(fits.size()) - linear}};
 }
 
 Finding order_of_numbers(Bench& bench, const Claim& claim) {
   const auto [below, above] = two_numbers(claim.printed);
-  const numerics::PulseCase asked = pulse_case(3, numerics::Model::nonlinear, 0.9);
+  const PulseCase asked = pulse_case(3, Model::nonlinear, 0.9);
   const double level = std::tan(0.25) / 0.25, far = 0.001;
   const auto code = [&](double share) { return outcome_at(asked, level / share).code; };
   const int small = code(std::stod(below) - far), large = code(std::stod(above) + far);
@@ -94,8 +96,8 @@ Finding restitution_behind_figures(Bench& bench, const Claim&) {
   const auto handover = fitting(compare_with("4.8", handover_readings(bench)));
   bool own = false;
   for (const auto& fits : {threshold, handover})
-    for (const Reading& reading : fits) own = own || reading.says.find("(46)") != std::string::npos;
-  const double derived = bench.mode_2(pulse_case(3, numerics::Model::nonlinear));
+    for (const Reading& reading : fits) own = own || reading.has_own_restitution;
+  const double derived = bench.mode_2(pulse_case(3, Model::nonlinear));
   return {decided(own),
           {paper_block().restitution, list_of(threshold), list_of(handover),
            1 / in_tangent(pulse_case(3), derived)}};
@@ -103,23 +105,21 @@ Finding restitution_behind_figures(Bench& bench, const Claim&) {
 
 /// Does the impact of the critical motion come during the pulse, or after it?
 Finding impact_in_figure(Bench& bench, const Claim& claim) {
-  const numerics::PulseCase asked = pulse_case(claim.omega_ratio);
+  const PulseCase asked = pulse_case(claim.omega_ratio);
   const double amplitude = bench.mode_2(asked);
-  const numerics::Response motion =
-      tell(asked.block, asked.model, ground_of(asked, amplitude), asked.initial).response;
-  const double impact = first_time(motion, numerics::EventKind::impact),
-               end = first_time(motion, numerics::EventKind::pulse_end);
+  const Response motion = tell(asked.block, asked.model, ground_of(asked, amplitude), asked.initial).response;
+  const double impact = first_time(motion, EventKind::impact), end = first_time(motion, EventKind::pulse_end);
   return {decided((impact < end) == (claim.check == "impact_during_pulse") && impact > 0),
           {claim.omega_ratio, amplitude, impact, end}};
 }
 
 Finding returns_to_rest(Bench&, const Claim&) {
-  const numerics::PulseCase asked = pulse_case(2, numerics::Model::nonlinear);
-  const numerics::GroundMotion ground = ground_of(asked, 2.35766 * std::tan(0.25) / 0.25);
-  const numerics::Response motion = tell(asked.block, asked.model, ground, asked.initial, 200).response;
+  const PulseCase asked = pulse_case(2, Model::nonlinear);
+  const GroundMotion ground = ground_of(asked, 2.35766 * std::tan(0.25) / 0.25);
+  const Response motion = tell(asked.block, asked.model, ground, asked.initial, 200).response;
   int impacts = 0;
-  for (const numerics::Event& event : motion.events) impacts += event.kind == numerics::EventKind::impact;
-  const double rest = first_time(motion, numerics::EventKind::rest);
+  for (const Event& event : motion.events) impacts += event.kind == EventKind::impact;
+  const double rest = first_time(motion, EventKind::rest);
   return {decided(rest > 0), {impacts, rest}};
 }
 
@@ -133,8 +133,8 @@ struct Differences {
 Differences differences(Bench& bench, double alpha) {
   Differences all;
   const auto say = [&](double ratio) {
-    const numerics::PulseCase linear = with_alpha(pulse_case(ratio), alpha),
-                              full = with_alpha(pulse_case(ratio, numerics::Model::nonlinear), alpha);
+    const PulseCase linear = with_alpha(pulse_case(ratio), alpha),
+                    full = with_alpha(pulse_case(ratio, Model::nonlinear), alpha);
     std::string pair;
     for (const int impacts : {0, 1}) {
       const double a = bench.mode(impacts, linear), b = bench.mode(impacts, full);
@@ -159,7 +159,7 @@ Finding slender_blocks(Bench& bench, const Claim&) {
 Finding good_agreement(Bench& bench, const Claim& claim) {
   const Differences d = differences(bench, 0.25);
   const double linear = bench.mode_2(pulse_case(7.5)), without = bench.mode_1(pulse_case(7.5)),
-               full = bench.mode_2(pulse_case(7.5, numerics::Model::nonlinear));
+               full = bench.mode_2(pulse_case(7.5, Model::nonlinear));
   const auto from = [](double amplitude) {
     return fmt::format("after one impact from {:.2f} αg on", amplitude);
   };

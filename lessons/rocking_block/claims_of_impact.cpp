@@ -6,34 +6,36 @@
 
 namespace rederive::rocking_block {
 
+using namespace numerics;
+
 namespace {
 
-constexpr numerics::Real long_pi = std::numbers::pi_v<numerics::Real>;
+constexpr Real long_pi = std::numbers::pi_v<Real>;
 
 /// The phase of either pulse at its beginning: the motions begin at psi, later than that.
-numerics::Real phase_0(numerics::Pulse pulse) { return pulse == numerics::Pulse::sine ? 0 : long_pi / 2; }
+Real phase_0(Pulse pulse) { return pulse == Pulse::sine ? 0 : long_pi / 2; }
 
 Finding pulse_start(Bench&, const Claim&) {
-  const auto first = [](numerics::Pulse pulse) {
-    const numerics::Piece piece = numerics::pulse_motion(pulse, 2, 2, 1).front();
-    const numerics::Real time = piece.from + (phase_0(pulse) - piece.phase) / piece.omega;
+  const auto first = [](Pulse pulse) {
+    const Piece piece = pulse_motion(pulse, 2, 2, 1).front();
+    const Real time = piece.from + (phase_0(pulse) - piece.phase) / piece.omega;
     return static_cast<double>(ground_at(piece, time) / piece.amplitude);
   };
-  const double sine = first(numerics::Pulse::sine), cosine = first(numerics::Pulse::cosine);
+  const double sine = first(Pulse::sine), cosine = first(Pulse::cosine);
   return {decided(std::abs(sine) < 1e-12 && std::abs(cosine - 1) < 1e-12), {sine, cosine}};
 }
 
 /// The pulse of section 3 taken from phase 0: what velocity does the ground keep?
 Finding cosine_is_whole(Bench&, const Claim&) {
-  const auto end = [](numerics::Pulse pulse) {
-    const numerics::Piece piece = numerics::pulse_motion(pulse, 2, 2, 1).front();
+  const auto end = [](Pulse pulse) {
+    const Piece piece = pulse_motion(pulse, 2, 2, 1).front();
     return piece.phase + piece.omega * (piece.to - piece.from);
   };
-  const auto velocity = [&](numerics::Pulse pulse) {  // the integral of the sine, in a_p/omega_p
+  const auto velocity = [&](Pulse pulse) {  // the integral of the sine, in a_p/omega_p
     return static_cast<double>(std::cos(phase_0(pulse)) - std::cos(end(pulse)));
   };
-  const double cycles = static_cast<double>(end(numerics::Pulse::cosine) / (2 * long_pi) - 0.25L);
-  const double sine = velocity(numerics::Pulse::sine), cosine = velocity(numerics::Pulse::cosine);
+  const double cycles = static_cast<double>(end(Pulse::cosine) / (2 * long_pi) - 0.25L);
+  const double sine = velocity(Pulse::sine), cosine = velocity(Pulse::cosine);
   return {decided(std::abs(cosine) < 1e-9), {cycles, cosine, sine}};
 }
 
@@ -50,8 +52,8 @@ Finding angle_of_stockiness(Bench&, const Claim&) {
 }
 
 Finding smooth_impact(Bench& bench, const Claim&) {
-  for (const numerics::Event& event : motion_at(pulse_case(3), bench.mode_2(pulse_case(3))).events)
-    if (event.kind == numerics::EventKind::impact)
+  for (const Event& event : motion_at(pulse_case(3), bench.mode_2(pulse_case(3))).events)
+    if (event.kind == EventKind::impact)
       return {decided(event.velocity_before == event.velocity_after),
               {static_cast<double>(event.velocity_before), static_cast<double>(event.velocity_after)}};
   throw std::logic_error("the critical motion of Fig. 12 has no impact");
@@ -67,20 +69,21 @@ Finding restitution_of_statues(Bench&, const Claim& claim) {
                                       {"α = 0.11", emitted::restitution(0.11)}};
   const auto matches = compare_with(claim.printed, readings);
   bool holds = false;
-  for (const Reading& fit : fitting(matches)) holds = holds || fit.says == readings.front().says;
+  for (const Reading& fit : fitting(matches)) holds = holds || fit.value == readings.front().value;
   return {decided(holds), {summary(matches)}};
 }
 
 Finding both_sides(Bench& bench, const Claim&) {
   int left = 0, right = 0;
-  for (const numerics::Sample& sample : samples_at(pulse_case(3, numerics::Model::nonlinear), 2))
+  for (const Sample& sample : samples_at(pulse_case(3, Model::nonlinear), 2))
     (sample.angle < 0 ? left : right) += sample.angle != 0;
-  const std::string verdict = bench.verdict_of("50");
-  return {decided(right == 0 && verdict != "refuted"), {verdict, 100.0 * right / (left + right)}};
+  const Verdict verdict = bench.verdict_of("50");
+  return {decided(right == 0 && verdict != Verdict::refuted),
+          {to_string(verdict), 100.0 * right / (left + right)}};
 }
 
 Finding free_before(Bench&, const Claim&) {
-  const numerics::Piece pulse = ground_of(pulse_case(2), 2).front();
+  const Piece pulse = ground_of(pulse_case(2), 2).front();
   const double middle = static_cast<double>(ground_at(pulse, pulse.to / 4));
   return {decided(middle == 0), {middle}};
 }

@@ -8,6 +8,8 @@
 
 namespace rederive::rocking_block {
 
+using namespace numerics;
+
 namespace {
 
 using std::numbers::pi;
@@ -15,7 +17,7 @@ using std::numbers::pi;
 Finding threshold_71(Bench& bench, const Claim&) {
   double largest = 0;
   const std::string roots = each({0.2, 0.5, 1, 2, 3, 4, 6}, [&](double ratio) {
-    const double root = root_of(numerics::Form::eq71, pulse_case(ratio)).amplitude;
+    const double root = root_of(Form::eq71, pulse_case(ratio)).amplitude;
     largest = std::max(largest, std::abs(bench.mode_1(pulse_case(ratio)) / root - 1));
     return root;
   });
@@ -25,7 +27,7 @@ Finding threshold_71(Bench& bench, const Claim&) {
 Finding admissible_71(Bench& bench, const Claim&) {
   double highest = -1e9;
   for (const double ratio : {1.0, 2.0, 4.0})
-    for (const numerics::Sample& sample : samples_at(pulse_case(ratio), bench.mode_1(pulse_case(ratio))))
+    for (const Sample& sample : samples_at(pulse_case(ratio), bench.mode_1(pulse_case(ratio))))
       if (sample.time > 0.01L) highest = std::max(highest, static_cast<double>(sample.angle));
   return {decided(highest < 0), {highest}};
 }
@@ -35,7 +37,7 @@ Finding separatrix(Bench& bench, const Claim& claim) {
   double off = 0, farthest = 0;
   for (const double ratio : {1.0, 2.0, 3.0, 4.0, 6.0})
     for (const int impacts : {0, 1}) {
-      const numerics::PulseCase asked = pulse_case(ratio);
+      const PulseCase asked = pulse_case(ratio);
       if (impacts == 1 && ratio > 4.5) continue;
       const numerics::Point end = motion_at(asked, bench.mode(impacts, asked)).end;
       const double side = end.angle < 0 ? -1 : 1;
@@ -55,7 +57,7 @@ Finding roots_of_78(Bench&, const Claim&) {
   const std::string roots = each({0.5, 1, 2, 4, 8}, [&](double ratio) {
     for (int i = 1; i < 1000; ++i)
       least = std::min(least, emitted::overturning_without_impact_positive(ratio, i * pi / 2000));
-    return fmt::format("ψ = {:.4f}", root_of(numerics::Form::eq78, pulse_case(ratio)).psi);
+    return fmt::format("ψ = {:.4f}", root_of(Form::eq78, pulse_case(ratio)).psi);
   });
   return {decided(least <= 0), {least, roots}};
 }
@@ -64,7 +66,7 @@ Finding admissible_78(Bench&, const Claim&) {
   double highest = -1e9;
   bool occurs = false;
   for (const double ratio : {0.5, 1.0, 2.0, 4.0}) {
-    const numerics::ClosedForm root = root_of(numerics::Form::eq78, pulse_case(ratio));
+    const ClosedForm root = root_of(Form::eq78, pulse_case(ratio));
     occurs = occurs || root.admissible();
     for (const double t : {0.01, 0.1})
       highest = std::max(highest, emitted::linear_response_positive(0.25, 1.0, ratio, 0.25 * root.amplitude,
@@ -78,7 +80,7 @@ Finding sides_under_sine(Bench& bench, const Claim&) {
   int without = 0, after = 0, wrong = 0;
   std::string found;
   for (const double ratio : {1.0, 2.0, 3.0, 5.5})
-    for (const numerics::Window& window : bench.windows(pulse_case(ratio))) {
+    for (const Window& window : bench.windows(pulse_case(ratio))) {
       (std::abs(window.code) == 1 ? without : after) += 1;
       wrong += window.code == 1;
       if (window.code == 2) add(found, fmt::format("{:g}: {:.4f}", ratio, window.from));
@@ -90,7 +92,7 @@ Finding sides_under_sine(Bench& bench, const Claim&) {
 }
 
 /// The pulse with its sign changed.
-numerics::GroundMotion reversed(numerics::GroundMotion ground) {
+GroundMotion reversed(GroundMotion ground) {
   ground.front().phase += pi;
   return ground;
 }
@@ -99,9 +101,9 @@ Finding pulse_of_other_sign(Bench& bench, const Claim&) {
   int mirrored = 0, tried = 0;
   for (const double ratio : {1.0, 2.0, 4.0})
     for (const double share : {0.9999, 1.0001}) {
-      const numerics::PulseCase asked = pulse_case(ratio);
-      const numerics::GroundMotion ground = ground_of(asked, bench.mode_1(asked) * share);
-      const auto code = [&](const numerics::GroundMotion& motion) {
+      const PulseCase asked = pulse_case(ratio);
+      const GroundMotion ground = ground_of(asked, bench.mode_1(asked) * share);
+      const auto code = [&](const GroundMotion& motion) {
         return outcome_of(asked.block, asked.model, motion, asked.initial).code;
       };
       ++tried, mirrored += code(reversed(ground)) == -code(ground);
@@ -111,9 +113,9 @@ Finding pulse_of_other_sign(Bench& bench, const Claim&) {
 
 /// Where the critical motion of Fig. 8 creeps to, under either sign of the pulse.
 Finding end_of_portrait(Bench& bench, const Claim&) {
-  const numerics::PulseCase asked = pulse_case(2);
-  const numerics::GroundMotion ground = ground_of(asked, bench.mode_1(asked));
-  const auto corner = [&](const numerics::GroundMotion& motion) {
+  const PulseCase asked = pulse_case(2);
+  const GroundMotion ground = ground_of(asked, bench.mode_1(asked));
+  const auto corner = [&](const GroundMotion& motion) {
     return respond(asked.block, asked.model, motion, asked.initial).end.angle < 0 ? -1 : 1;
   };
   const int positive = corner(ground), negative = corner(reversed(ground));
@@ -121,9 +123,9 @@ Finding end_of_portrait(Bench& bench, const Claim&) {
 }
 
 Finding independent_of_p(Bench& bench, const Claim&) {
-  numerics::PulseCase other = pulse_case(2);
+  PulseCase other = pulse_case(2);
   other.block.p = 5;
-  const double here = bench.mode_1(pulse_case(2)), there = root_of(numerics::Form::eq71, other).amplitude,
+  const double here = bench.mode_1(pulse_case(2)), there = root_of(Form::eq71, other).amplitude,
                after = bench.mode_2(pulse_case(2));
   const int below = outcome_at(other, after * 0.9999).code, above = outcome_at(other, after * 1.0001).code;
   return {decided(std::abs(here / there - 1) < 1e-9 && below != 2 && above == 2), {here, there, after}};
@@ -139,8 +141,7 @@ Finding admissible_86_88(Bench&, const Claim& claim) {
   int fine = 0, tried = 0;
   for (const double ratio : {0.2, 0.5, 1.0, 2.0, 3.0, 4.0, 4.75}) {
     ++tried;
-    for (const numerics::ClosedForm& root :
-         roots_of(numerics::Form::eq86_88, pulse_case(ratio, numerics::Model::linear, 0.9)))
+    for (const ClosedForm& root : roots_of(Form::eq86_88, pulse_case(ratio, Model::linear, 0.9)))
       if (root.admissible()) {
         ++fine, add(found, fmt::format("{:g}: {:.4f}", ratio, root.amplitude));
         break;
@@ -161,7 +162,7 @@ Finding beyond_handover(Bench&, const Claim&) {
   std::string found;
   bool all_late = true;
   for (const double ratio : {5.0, 5.5, 6.0, 8.0})
-    for (const numerics::ClosedForm& root : roots_of(numerics::Form::eq86_88, pulse_case(ratio))) {
+    for (const ClosedForm& root : roots_of(Form::eq86_88, pulse_case(ratio))) {
       all_late = all_late && !root.admissible() && *root.impact_time > root.pulse_end;
       add(found, fmt::format("{:g}: {:.4f} > {:.4f}", ratio, *root.impact_time, root.pulse_end));
     }
@@ -169,10 +170,10 @@ Finding beyond_handover(Bench&, const Claim&) {
 }
 
 Finding two_roots_of_96(Bench& bench, const Claim&) {
-  const numerics::PulseCase asked = pulse_case(5.5);
+  const PulseCase asked = pulse_case(5.5);
   std::string found;
   int minima = 0, tried = 0;
-  for (const numerics::ClosedForm& root : roots_of(numerics::Form::eq92a_96, asked)) {
+  for (const ClosedForm& root : roots_of(Form::eq92a_96, asked)) {
     ++tried, minima += root.admissible();
     add(found,
         fmt::format("{:.4f} αg{}", root.amplitude,

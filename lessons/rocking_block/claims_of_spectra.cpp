@@ -8,12 +8,14 @@
 
 namespace rederive::rocking_block {
 
+using namespace numerics;
+
 namespace {
 
 Finding least_below_handover(Bench& bench, const Claim&) {
   bool always = true;
   const std::string found = each({0.2, 0.5, 0.8, 1, 2, 3, 4}, [&](double ratio) {
-    const numerics::Window least = bench.least(pulse_case(ratio));
+    const Window least = bench.least(pulse_case(ratio));
     always = always && least.code == 2;
     return fmt::format("{:.4f} after {}", least.from, impacts_of(least));
   });
@@ -24,7 +26,7 @@ Finding order_of_modes(Bench& bench, const Claim&) {
   std::string found;
   bool holds_for_one = false;
   for (const std::optional<double> e : {std::optional<double>{}, std::optional<double>{0.9}}) {
-    const numerics::PulseCase asked = pulse_case(1, numerics::Model::linear, e);
+    const PulseCase asked = pulse_case(1, Model::linear, e);
     const double from = bench.handover_of(asked), to = bench.end_of(asked);
     holds_for_one = holds_for_one || (from <= 4.8 && to >= 6.7);
     add(found, fmt::format("e {}: from {:.4f} to {:.4f}", e ? "= 0.9" : "of (46)", from, to), "; ");
@@ -35,18 +37,16 @@ Finding order_of_modes(Bench& bench, const Claim&) {
 
 Finding end_of_curve(Bench& bench, const Claim& claim) {
   const auto matches = compare_with(claim.printed, end_readings(bench));
-  const double own = bench.end_of(pulse_case(1)),
-               rounded = bench.end_of(pulse_case(1, numerics::Model::linear, 0.9));
+  const double own = bench.end_of(pulse_case(1)), rounded = bench.end_of(pulse_case(1, Model::linear, 0.9));
   return {fitting(matches).empty() ? refuted : qualified, {own, rounded, summary(matches)}};
 }
 
 Finding beyond_the_end(Bench& bench, const Claim&) {
-  const auto after_impact = [&](double ratio, numerics::Model model) {
+  const auto after_impact = [&](double ratio, Model model) {
     return bench.mode_2(pulse_case(ratio, model)) > 0;
   };
-  const bool still = after_impact(6.8, numerics::Model::linear),
-             full = after_impact(7.5, numerics::Model::nonlinear),
-             on = after_impact(7, numerics::Model::linear) || after_impact(10, numerics::Model::linear);
+  const bool still = after_impact(6.8, Model::linear), full = after_impact(7.5, Model::nonlinear),
+             on = after_impact(7, Model::linear) || after_impact(10, Model::linear);
   const auto word = [](bool is) { return is ? "yes" : "no"; };
   return {on              ? refuted
           : still || full ? qualified
@@ -66,16 +66,15 @@ Finding in_units_of_g(Bench& bench, const Claim&) {
 }
 
 Finding phase_at_1(Bench& bench, const Claim&) {
-  const double root = root_of(numerics::Form::eq86_88, pulse_case(1)).amplitude;
+  const double root = root_of(Form::eq86_88, pulse_case(1)).amplitude;
   const int code = outcome_at(pulse_case(1), 1.0000001).code;
   return {decided(std::abs(root - 1) < 0.005), {root, bench.least(pulse_case(1)).from, code}};
 }
 
 Finding amplitude_at_4(Bench& bench, const Claim&) {
   auto readings = threshold_readings(bench, 4, 1);
-  std::erase_if(readings, [](const Reading& reading) {
-    return reading.says.find("reciprocal") != std::string::npos || reading.says.ends_with("in g");
-  });
+  std::erase_if(readings,
+                [](const Reading& reading) { return reading.is_reciprocal || reading.unit == Unit::g; });
   const auto matches = compare_with("2.0", readings);
   const double own = bench.mode_2(pulse_case(4));
   return {fitting(matches).empty() ? refuted : qualified,
@@ -90,20 +89,15 @@ double rest_of_pulse(double ratio, double amplitude) {
 }
 double whole_pulse(double ratio) { return 2 * pi / (ratio * paper_block().p); }
 
-/// How a reading of T_ex takes pi, without the amplitude that goes into it; empty for others.
-std::string convention(const Reading& reading) {
-  const auto place = reading.says.find("2*pi = ");
-  return place == std::string::npos ? "" : reading.says.substr(place);
-}
-
-/// Whether there is one convention under which both printed times come out, each with its printed amplitude.
+/// Says whether there is one convention for pi under which both printed times come out, each with its printed
+/// amplitude.
 std::string common_convention(Bench& bench) {
-  std::string text;
+  std::optional<ShortPi> common;
   for (const Reading& one : fitting(compare_with("2.201", period_readings(bench, 1, 1))))
     for (const Reading& other : fitting(compare_with("0.672", period_readings(bench, 4, 2))))
-      if (!convention(one).empty() && convention(one) == convention(other)) text = convention(one);
-  return text.empty() ? "No one convention gives 2.201 and 0.672 both."
-                      : "One convention gives 2.201 and 0.672 both: " + text + ".";
+      if (one.pi && one.pi == other.pi) common = one.pi;
+  return common ? "One convention gives 2.201 and 0.672 both: " + words_for(*common) + "."
+                : "No one convention gives 2.201 and 0.672 both.";
 }
 
 Finding seconds(Bench& bench, const Claim& claim) {
@@ -142,8 +136,7 @@ Limit limit_of(Bench& bench, char ground, double damping) {
     const double ratio = i / 10.0, after = bench.mode_2(pulse_case(ratio));
     const double amplitude = after > 0 ? after : bench.mode_1(pulse_case(ratio)),
                  period = rest_of_pulse(ratio, amplitude);
-    const double allowed =
-        0.25 * amplitude / numerics::elastic_response(numerics::ground_type(ground), 1, damping, period);
+    const double allowed = 0.25 * amplitude / elastic_response(ground_type(ground), 1, damping, period);
     if (allowed < limit.ground) limit = {allowed, period};
   }
   return limit;
@@ -182,8 +175,8 @@ Finding safety_by_spectrum(Bench& bench, const Claim&) {
   const double slow = bench.least(pulse_case(0.5)).from;
   for (const auto& [ratio, amplitude] : {std::pair{1.0, 1.0}, std::pair{4.0, 2.0}}) {
     const double period = rest_of_pulse(ratio, amplitude),
-                 ordinate = std::max(numerics::elastic_response(numerics::ground_type('A'), 1, 5, period),
-                                     numerics::elastic_response(numerics::ground_type('A'), 1, 3, period));
+                 ordinate = std::max(elastic_response(ground_type('A'), 1, 5, period),
+                                     elastic_response(ground_type('A'), 1, 3, period));
     const double passes = 0.25 * amplitude / ordinate, pulse = 0.99 * passes / 0.25;
     const int code = pulse > 1 ? outcome_at(pulse_case(ratio), pulse).code : 0;
     const bool slow_one = pulse > slow && code == 0;

@@ -9,9 +9,11 @@
 
 namespace rederive::rocking_block {
 
+using namespace numerics;
+
 namespace {
 
-constexpr numerics::Block block;
+constexpr Block block;
 
 /// θ̈/p² just above rest on either side under a constant ground acceleration in units of g·tan α.
 double first_acceleration(int side, double ground) {
@@ -38,11 +40,10 @@ Finding free_rocking_period(Bench&, const Claim&) {
   double last = 0;
   bool grows = true;
   const std::string periods = each({0.1, 0.5, 0.9, 0.99}, [&](double share) {
-    numerics::ResponseOptions options;
+    ResponseOptions options;
     options.until = 20, options.history = true;
-    const numerics::Response motion =
-        respond(paper_block(), numerics::Model::linear, {}, {share, 0}, options);
-    const double period = 4 * first_time(motion, numerics::EventKind::impact);
+    const Response motion = respond(paper_block(), Model::linear, {}, {share, 0}, options);
+    const double period = 4 * first_time(motion, EventKind::impact);
     grows = grows && period > last, last = period;
     return fixed(period, 3);
   });
@@ -54,9 +55,8 @@ Finding modes_of_overturning(Bench& bench, const Claim&) {
   int most = 0;
   for (const double ratio : {0.5, 0.8, 1.0}) {
     std::set<int> impacts;
-    for (const numerics::Window& window : bench.windows(pulse_case(ratio)))
-      impacts.insert(impacts_of(window));
-    const numerics::Window least = bench.least(pulse_case(ratio));
+    for (const Window& window : bench.windows(pulse_case(ratio))) impacts.insert(impacts_of(window));
+    const Window least = bench.least(pulse_case(ratio));
     most = std::max(most, *impacts.rbegin());
     add(found,
         fmt::format("ω_p/p = {:g}: after {} impacts, the least amplitude {:.4f} αg after {}", ratio,
@@ -70,14 +70,14 @@ Finding all_cases_covered(Bench& bench, const Claim&) {
   const auto& slow = bench.windows(pulse_case(0.5));
   const double cosine = bench.mode_1(cosine_case(2));
   int beyond = 0;
-  for (const numerics::Window& window : slow) beyond += impacts_of(window) > 1;
+  for (const Window& window : slow) beyond += impacts_of(window) > 1;
   return {decided(beyond == 0 && cosine == 0), {beyond, static_cast<int>(slow.size()), cosine}};
 }
 
 Finding gap_below_mode_1(Bench& bench, const Claim&) {
   bool safe = false;
   const std::string found = each({1, 2, 3, 4}, [&](double ratio) {
-    const numerics::PulseCase asked = pulse_case(ratio);
+    const PulseCase asked = pulse_case(ratio);
     const double upper = bench.mode_2_upper(asked), lower = bench.mode_1(asked);
     safe = safe || outcome_at(asked, (upper + lower) / 2).code == 0;
     return fmt::format("safe from {:.4f} to {:.4f}", upper, lower);
@@ -88,7 +88,7 @@ Finding gap_below_mode_1(Bench& bench, const Claim&) {
 Finding smaller_under_2b(Bench& bench, const Claim&) {
   std::string found;
   bool others = false;
-  for (const numerics::Window& window : bench.windows(with_initial(cosine_case(2), 0.01, 0.2))) {
+  for (const Window& window : bench.windows(with_initial(cosine_case(2), 0.01, 0.2))) {
     others = others || impacts_of(window) > 0;
     add(found,
         fmt::format("{:.4f} to {} code {:+d}", window.from, window.to ? fixed(*window.to) : "…", window.code),
@@ -103,7 +103,7 @@ Finding energy_under_ground_motion(Bench& bench, const Claim&) {
   };
   const double amplitude = bench.mode_1(pulse_case(2)), corner = energy(-1, 0);
   double largest = -1e9, last = 0;
-  for (const numerics::Sample& sample : samples_at(pulse_case(2), amplitude)) {
+  for (const Sample& sample : samples_at(pulse_case(2), amplitude)) {
     last = energy(static_cast<double>(sample.angle), static_cast<double>(sample.velocity));
     largest = std::max(largest, last);
   }
@@ -111,15 +111,14 @@ Finding energy_under_ground_motion(Bench& bench, const Claim&) {
 }
 
 Finding least_start(Bench& bench, const Claim&) {
-  numerics::ResponseOptions options;
+  ResponseOptions options;
   options.history = true;
-  const numerics::Real level = numerics::start_level(paper_block(), numerics::Model::nonlinear);
-  const auto moves = [&](numerics::Real share) {
-    const numerics::GroundMotion ground{numerics::Piece{0, 1, share * level, 0, 0, 1, 0}};
-    const auto events = respond(paper_block(), numerics::Model::nonlinear, ground, {}, options).events;
-    return std::any_of(events.begin(), events.end(), [](const numerics::Event& event) {
-      return event.kind != numerics::EventKind::pulse_end;
-    });
+  const Real level = start_level(paper_block(), Model::nonlinear);
+  const auto moves = [&](Real share) {
+    const GroundMotion ground{Piece{0, 1, share * level, 0, 0, 1, 0}};
+    const auto events = respond(paper_block(), Model::nonlinear, ground, {}, options).events;
+    return std::any_of(events.begin(), events.end(),
+                       [](const Event& event) { return event.kind != EventKind::pulse_end; });
   };
   const bool below = moves(0.999L), above = moves(1.001L);
   return {decided(!below && above && bench.stands("24b")),
@@ -137,9 +136,9 @@ double friction(double theta, double thetadot, double ground) {
 }
 
 /// The least and the largest H/V while the pulse lasts; infinite where V <= 0.
-std::pair<double, double> friction_range(const numerics::PulseCase& asked, double amplitude) {
+std::pair<double, double> friction_range(const PulseCase& asked, double amplitude) {
   double least = std::numeric_limits<double>::infinity(), most = -least;
-  for (const numerics::Sample& sample : samples_at(asked, amplitude)) {
+  for (const Sample& sample : samples_at(asked, amplitude)) {
     if (sample.angle == 0) continue;
     const double ratio = friction(block.alpha * static_cast<double>(sample.angle),
                                   block.alpha * static_cast<double>(sample.velocity),
@@ -156,12 +155,12 @@ Finding initiation_friction(Bench&, const Claim&) {
 }
 
 Finding sign_of_h(Bench& bench, const Claim&) {
-  const auto [least, most] = friction_range(pulse_case(3, numerics::Model::nonlinear), 2);
+  const auto [least, most] = friction_range(pulse_case(3, Model::nonlinear), 2);
   return {least >= 0 ? confirmed : qualified, {bench.say({"33"}), least, most}};
 }
 
 Finding tangent_is_enough(Bench&, const Claim&) {
-  const auto [least, most] = friction_range(pulse_case(3, numerics::Model::nonlinear), 3);
+  const auto [least, most] = friction_range(pulse_case(3, Model::nonlinear), 3);
   const double needed = std::max(-least, most);
   return {decided(needed <= std::tan(block.alpha)), {needed, std::tan(block.alpha)}};
 }

@@ -89,8 +89,9 @@ Finding spread_impact(Bench&, const Claim&) {
 
 Finding restitution_is_geometry(Bench&, const Claim&) {
   const ex e = restitution();
-  const std::string names = fmt::format("{}", fmt::join(names_of(to_tree(e, paper().symbols)), ", "));
-  return {decided(names == "alpha"), {shown(e), names}};
+  const std::set<std::string> names = names_of(to_tree(e, paper().symbols));
+  return {decided(names == std::set<std::string>{"alpha"}),
+          {shown(e), fmt::format("{}", fmt::join(names, ", "))}};
 }
 
 Finding reactions_at_start(Bench& bench, const Claim&) {
@@ -146,14 +147,14 @@ Finding extends_71(Bench&, const Claim&) {
 
 /// A claim that says what its rows say.
 Finding by_rows(Bench& bench, const Claim& claim) {
-  const auto is = [&](const char* verdict) {
-    return std::any_of(claim.rows.begin(), claim.rows.end(),
-                       [&](const std::string& id) { return bench.verdict_of(id) == verdict; });
+  const auto is = [&](Verdict verdict) {
+    return std::ranges::any_of(claim.rows,
+                               [&](const std::string& id) { return bench.verdict_of(id) == verdict; });
   };
-  return {is("refuted")                               ? refuted
-          : is("undecided") || is("definition")       ? undecided
-          : is("proved_under") || is("approximation") ? qualified
-                                                      : confirmed,
+  return {is(Verdict::refuted)                                      ? refuted
+          : is(Verdict::undecided) || is(Verdict::definition)       ? undecided
+          : is(Verdict::proved_under) || is(Verdict::approximation) ? qualified
+                                                                    : confirmed,
           {bench.say(claim.rows)}};
 }
 
@@ -163,7 +164,7 @@ Finding beyond_the_rows(Bench& bench, const Claim& claim) { return {undecided, {
 /// (42) has to hold θ̇₋ if the momentum before the impact is to come from it.
 Finding reference_to_42(Bench& bench, const Claim&) {
   const Row &used = bench.row("46a").row, &geometry = bench.row("42a").row, &momentum = bench.row("43b").row;
-  return {decided(geometry.printed.find("thetadot") != std::string::npos),
+  return {decided(names_of(parse_relation(geometry.printed, paper().symbols)).contains("thetadot_minus")),
           {geometry.printed, momentum.printed, fmt::format("{}", fmt::join(used.follows_from, ", ")),
            std::ranges::count(used.follows_from, "43b") > 0
                ? " and has no angular velocity in it; the momentum before the "
@@ -174,11 +175,12 @@ Finding reference_to_42(Bench& bench, const Claim&) {
 Finding reference_to_65(Bench& bench, const Claim&) {
   const auto& from = bench.row("89a").row.follows_from;
   return {decided(std::ranges::count(from, "65a") > 0),
-          {bench.verdict_of("89a"), fmt::format("{}", fmt::join(from, ", ")), bench.row("65a").row.printed}};
+          {to_string(bench.verdict_of("89a")), fmt::format("{}", fmt::join(from, ", ")),
+           bench.row("65a").row.printed}};
 }
 
 Finding momentum_twice(Bench& bench, const Claim&) {
-  const bool settled = bench.verdict_of("u16") == "definition" && bench.stands("46b");
+  const bool settled = bench.verdict_of("u16") == Verdict::definition && bench.stands("46b");
   return {settled ? qualified : undecided, {bench.say({"u16", "46b"})}};
 }
 

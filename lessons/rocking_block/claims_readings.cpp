@@ -7,32 +7,41 @@
 
 namespace rederive::rocking_block {
 
+using namespace numerics;
+
 namespace {
 
 using std::numbers::pi;
 constexpr double short_pi = 3.14;
 
+/// A block and a model: what a reading assumes about them, and the case of the numerics.
 struct Shape {
-  std::string says;
-  numerics::PulseCase asked;
+  Reading reading;
+  PulseCase asked;
 };
+
+/// Returns the reading that gives a value for a shape.
+Reading with_value(const Shape& shape, double value) {
+  Reading reading = shape.reading;
+  reading.value = value;
+  return reading;
+}
 
 /// The blocks and models that the text may mean.
 std::vector<Shape> shapes(double omega_ratio, bool with_impact) {
   std::vector<Shape> list;
-  for (const numerics::Model model : {numerics::Model::linear, numerics::Model::nonlinear})
+  for (const Model model : {Model::linear, Model::nonlinear})
     for (const bool ratio : {false, true})
       for (const std::optional<double> e :
            {std::optional<double>{}, std::optional<double>{0.9}, std::optional<double>{1.0}}) {
         if (!with_impact && e) continue;
-        if (model == numerics::Model::linear && ratio && (e || !with_impact))
-          continue;  // free of alpha but for e
+        if (model == Model::linear && ratio && (e || !with_impact)) continue;  // free of alpha but for e
         const double alpha = ratio ? std::atan(0.25) : 0.25;
-        std::string says =
-            fmt::format("{}, alpha = {}", model == numerics::Model::linear ? "linear" : "nonlinear",
-                        ratio ? "atan(0.25)" : "0.25");
+        std::string says = fmt::format("{}, alpha = {}", model == Model::linear ? "linear" : "nonlinear",
+                                       ratio ? "atan(0.25)" : "0.25");
         if (with_impact) says += e ? fmt::format(", e = {:g}", *e) : std::string(", e of (46)");
-        list.push_back({says, with_alpha(pulse_case(omega_ratio, model), alpha, e)});
+        list.push_back({{.says = says, .model = model, .has_own_restitution = with_impact && !e},
+                        with_alpha(pulse_case(omega_ratio, model), alpha, e)});
       }
   return list;
 }
@@ -43,6 +52,11 @@ std::string summary_of(const Match& match) {
 }
 
 }  // namespace
+
+std::string words_for(const ShortPi& pi) {
+  return fmt::format("2*pi = {}, psi {}", pi.in_turn ? "6.28" : "exact",
+                     pi.in_psi ? "with pi = 3.14" : "exact");
+}
 
 std::vector<Match> compare_with(const std::string& printed, const std::vector<Reading>& readings) {
   const auto point = printed.find('.');
@@ -87,14 +101,21 @@ std::vector<Reading> threshold_readings(Bench& bench, double omega_ratio, int im
   for (const Shape& shape : shapes(omega_ratio, impacts == 1)) {
     const double amplitude = bench.mode(impacts, shape.asked);
     if (amplitude == 0) continue;
-    const double alpha = shape.asked.block.alpha;
-    const std::vector<Reading> units{{"alpha*g", amplitude},
-                                     {"g*tan(alpha)", in_tangent(shape.asked, amplitude)},
-                                     {"g", amplitude * alpha}};
-    for (const Reading& unit : units) {
-      list.push_back({shape.says + ", in " + unit.says, unit.value});
-      list.push_back({shape.says + ", reciprocal of " + unit.says, 1 / unit.value});
-    }
+    struct Shown {
+      const char* words;
+      Unit unit;
+      double value;
+    };
+    for (const auto& [words, unit, value] :
+         {Shown{"alpha*g", Unit::alpha_g, amplitude},
+          Shown{"g*tan(alpha)", Unit::g_tan_alpha, in_tangent(shape.asked, amplitude)},
+          Shown{"g", Unit::g, amplitude * shape.asked.block.alpha}})
+      for (const bool is_reciprocal : {false, true}) {
+        Reading reading = with_value(shape, is_reciprocal ? 1 / value : value);
+        reading.says += (is_reciprocal ? ", reciprocal of " : ", in ") + std::string(words);
+        reading.unit = unit, reading.is_reciprocal = is_reciprocal;
+        list.push_back(std::move(reading));
+      }
   }
   return list;
 }
@@ -106,11 +127,11 @@ std::vector<Reading> period_readings(Bench& bench, double omega_ratio, double pr
                                         {"the least amplitude", bench.least(pulse_case(omega_ratio)).from}};
   for (const Reading& amplitude : amplitudes) {
     const double psi = std::asin(1 / amplitude.value);
-    for (const bool cut : {false, true})
-      for (const bool cut_psi : {false, true})
-        list.push_back({fmt::format("T_ex, {}, 2*pi = {}, psi {}", amplitude.says, cut ? "6.28" : "exact",
-                                    cut_psi ? "with pi = 3.14" : "exact"),
-                        (2 * (cut ? short_pi : pi) - psi * (cut_psi ? short_pi / pi : 1)) / omega});
+    for (const ShortPi cut : {ShortPi{false, false}, {false, true}, {true, false}, {true, true}})
+      list.push_back(
+          {.says = fmt::format("T_ex, {}, {}", amplitude.says, words_for(cut)),
+           .value = (2 * (cut.in_turn ? short_pi : pi) - psi * (cut.in_psi ? short_pi / pi : 1)) / omega,
+           .pi = cut});
   }
   list.push_back({"the period 2*pi/omega_p", 2 * pi / omega});
   return list;
@@ -119,8 +140,9 @@ std::vector<Reading> period_readings(Bench& bench, double omega_ratio, double pr
 std::vector<Reading> handover_readings(Bench& bench) {
   std::vector<Reading> list;
   for (const Shape& shape : shapes(1, true)) {
-    if (shape.asked.model != numerics::Model::linear || shape.asked.block.restitution == 1) continue;
-    if (const double ratio = bench.handover_of(shape.asked); ratio > 0) list.push_back({shape.says, ratio});
+    if (shape.asked.model != Model::linear || shape.asked.block.restitution == 1) continue;
+    if (const double ratio = bench.handover_of(shape.asked); ratio > 0)
+      list.push_back(with_value(shape, ratio));
   }
   return list;
 }
@@ -129,8 +151,8 @@ std::vector<Reading> end_readings(Bench& bench) {
   std::vector<Reading> list;
   for (const Shape& shape : shapes(1, true)) {
     if (shape.asked.block.restitution == 1) continue;  // without loss it never ends
-    if (shape.asked.model == numerics::Model::nonlinear && shape.asked.block.alpha != 0.25) continue;
-    if (const double ratio = bench.end_of(shape.asked); ratio > 0) list.push_back({shape.says, ratio});
+    if (shape.asked.model == Model::nonlinear && shape.asked.block.alpha != 0.25) continue;
+    if (const double ratio = bench.end_of(shape.asked); ratio > 0) list.push_back(with_value(shape, ratio));
   }
   return list;
 }

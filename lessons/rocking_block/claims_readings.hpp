@@ -5,10 +5,26 @@
 
 namespace rederive::rocking_block {
 
-/// One way to read a number: in words, and the value that it gives.
+/// Whether a reading of T_ex takes pi as 3.14, in 2*pi and in psi.
+struct ShortPi {
+  bool in_turn, in_psi;
+  bool operator==(const ShortPi&) const = default;
+};
+/// Returns "2*pi = 6.28, psi exact" and the like.
+std::string words_for(const ShortPi& pi);
+
+/// The unit of an amplitude.
+enum class Unit { alpha_g, g_tan_alpha, g };
+
+/// One way to read a number: in words, the value that it gives, and what it assumes.
 struct Reading {
   std::string says;
   double value = 0;
+  numerics::Model model = numerics::Model::linear;
+  bool has_own_restitution = false;  ///< e of (46)
+  Unit unit = Unit::alpha_g;
+  bool is_reciprocal = false;
+  std::optional<ShortPi> pi = {};  ///< of T_ex
 };
 
 /// A reading beside a printed number: `off` in units of its last digit.
