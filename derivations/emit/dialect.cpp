@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <derivations/emit/dialect.hpp>
 #include <derivations/language/functions.hpp>
 #include <stdexcept>
@@ -17,13 +18,6 @@ std::string prefixed(const std::vector<std::string>& lines, const std::string& p
   std::string text;
   for (const std::string& line : lines) text += prefix + line + "\n";
   return text;
-}
-
-bool has(const std::vector<std::string>& names, const std::string& name) {
-  for (const std::string& entry : names) {
-    if (entry == name) return true;
-  }
-  return false;
 }
 
 /// "T name(T a, T b) {", over several lines where one is not enough.
@@ -49,13 +43,17 @@ std::string result_list(const Body& body, bool named) {
   return text;
 }
 
+/// Returns the definition of the record that a function with derivatives returns.
+std::string record_of(const std::string& function, const std::string& type, const Body& body) {
+  std::string text = "struct " + function + "_result {\n  " + type + " ";
+  for (const auto& [member, unused] : body.results) text += (member == "value" ? "" : ", ") + member;
+  return text + ";\n};\n\n";
+}
+
 class Cpp : public Dialect {
  public:
   std::string number(const std::string& digits) const override { return "T(" + digits + ")"; }
   std::string pi() const override { return "pi<T>()"; }
-  std::string call(const std::string& function, const std::string& arguments) const override {
-    return function + "(" + arguments + ")";
-  }
   std::string comment(const std::vector<std::string>& lines) const override { return prefixed(lines, "// "); }
   std::string prologue() const override {
     return "#pragma once\n\n#include <cmath>\n\nnamespace rederive::emitted {\n\n"
@@ -66,16 +64,12 @@ class Cpp : public Dialect {
   std::string function(const std::string& name, const std::vector<std::string>& arguments,
                        const std::vector<std::string>& documentation, const Body& body) const override {
     const bool record = body.results.size() > 1;
-    std::string text;
-    if (record) {
-      text += "template <class T>\nstruct " + name + "_result {\n  T ";
-      for (const auto& [member, unused] : body.results) text += (member == "value" ? "" : ", ") + member;
-      text += ";\n};\n\n";
-    }
+    std::string text = record ? "template <class T>\n" + record_of(name, "T", body) : "";
     text += prefixed(documentation, "/// ") + "template <class T>\n";
     std::vector<std::string> parameters;
     for (const std::string& argument : arguments) {
-      parameters.push_back(has(body.unused, argument) ? "T /*" + argument + "*/" : "T " + argument);
+      parameters.push_back(std::ranges::count(body.unused, argument) > 0 ? "T /*" + argument + "*/"
+                                                                         : "T " + argument);
     }
     text += signature(record ? name + "_result<T>" : "T", name + "(" + joined(parameters, "", ", ") + ") {");
     for (const std::string& used : body.functions_used) text += "  using std::" + used + ";\n";
@@ -90,23 +84,14 @@ class C : public Dialect {
  public:
   std::string number(const std::string& digits) const override { return digits + ".0"; }
   std::string pi() const override { return "3.14159265358979323846"; }
-  std::string call(const std::string& function, const std::string& arguments) const override {
-    return function + "(" + arguments + ")";
-  }
   std::string comment(const std::vector<std::string>& lines) const override {
     return "/*\n" + prefixed(lines, " * ") + " */\n";
   }
   std::string prologue() const override { return "#include <math.h>\n"; }
-  std::string epilogue() const override { return ""; }
   std::string function(const std::string& name, const std::vector<std::string>& arguments,
                        const std::vector<std::string>& documentation, const Body& body) const override {
     const bool record = body.results.size() > 1;
-    std::string text;
-    if (record) {
-      text += "struct " + name + "_result {\n  double ";
-      for (const auto& [member, unused] : body.results) text += (member == "value" ? "" : ", ") + member;
-      text += ";\n};\n\n";
-    }
+    std::string text = record ? record_of(name, "double", body) : "";
     const std::string type = record ? "struct " + name + "_result" : "double";
     text += comment(documentation);
     text += signature("static inline " + type, name + "(" + joined(arguments, "double ", ", ") + ") {");
@@ -128,7 +113,6 @@ class Python : public Dialect {
   }
   std::string comment(const std::vector<std::string>& lines) const override { return prefixed(lines, "# "); }
   std::string prologue() const override { return "import math\nfrom collections import namedtuple\n"; }
-  std::string epilogue() const override { return ""; }
   std::string function(const std::string& name, const std::vector<std::string>& arguments,
                        const std::vector<std::string>& documentation, const Body& body) const override {
     const bool record = body.results.size() > 1;
@@ -171,7 +155,6 @@ class JavaScript : public Dialect {
   }
   std::string comment(const std::vector<std::string>& lines) const override { return prefixed(lines, "// "); }
   std::string prologue() const override { return "\"use strict\";\n"; }
-  std::string epilogue() const override { return ""; }
   std::string function(const std::string& name, const std::vector<std::string>& arguments,
                        const std::vector<std::string>& documentation, const Body& body) const override {
     std::string text = "/**\n" + prefixed(documentation, " * ") + " */\n";

@@ -24,10 +24,13 @@ class Dialect {
   virtual ~Dialect() = default;
   virtual std::string number(const std::string& digits) const = 0;
   virtual std::string pi() const = 0;
-  virtual std::string call(const std::string& function, const std::string& arguments) const = 0;
+  /// Returns a call of a function, named as in C, with its arguments.
+  virtual std::string call(const std::string& function, const std::string& arguments) const {
+    return function + "(" + arguments + ")";
+  }
   virtual std::string comment(const std::vector<std::string>& lines) const = 0;
   virtual std::string prologue() const = 0;
-  virtual std::string epilogue() const = 0;
+  virtual std::string epilogue() const { return ""; }
   /// One result: a plain function; several: a record with a member for each.
   virtual std::string function(const std::string& name, const std::vector<std::string>& arguments,
                                const std::vector<std::string>& documentation, const Body& body) const = 0;

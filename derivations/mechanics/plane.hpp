@@ -1,7 +1,9 @@
-// Vectors in the plane, and integrals over a homogeneous rectangle.
+// Vectors in the plane, integrals over a homogeneous rectangle, and the equation of motion by Newton and
+// Euler: moments about a point that may itself move.
 #pragma once
 
 #include <derivations/mechanics/time_derivative.hpp>
+#include <vector>
 
 namespace rederive {
 
@@ -35,5 +37,17 @@ GiNaC::ex over_body(const GiNaC::ex& f, const Rectangle& body);
 
 /// Returns the expression with 1 − cos² in place of every sin², expanded.
 GiNaC::ex by_pythagoras(const GiNaC::ex& e);
+
+/// A force and its point of application, seen from the point about which moments are taken.
+struct AppliedForce {
+  Vector at, force;
+};
+
+/// Returns the clockwise moment of the forces about P minus the moment of the inertia of all elements,
+/// Σ r × F − ∫ r × a dm, where r is seen from P and a is absolute. It is 0 in every motion, for every P.
+/// `element` is the position of (x, y) seen from P, `carried` the position of P in the fixed frame, and
+/// `rates` says which symbols change in time.
+GiNaC::ex moment_balance(const Rectangle& body, const Vector& element, const Vector& carried,
+                         const std::vector<AppliedForce>& forces, const Rates& rates);
 
 }  // namespace rederive

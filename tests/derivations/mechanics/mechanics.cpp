@@ -1,7 +1,7 @@
 #include <doctest/doctest.h>
 
 #include <derivations/mechanics/linear_motion.hpp>
-#include <derivations/mechanics/moment_balance.hpp>
+#include <derivations/mechanics/plane.hpp>
 #include <tests/identities.hpp>
 
 using namespace rederive;
