@@ -9,7 +9,7 @@ namespace rederive {
 
 enum class Target { c, cpp, javascript, latex, python };
 
-/// The pieces of one function, ready to be framed.
+/// The parts of one function, as text in the target language.
 struct Body {
   std::vector<std::string> functions_used;  ///< "sin", "sqrt" …
   bool uses_pi = false;
@@ -18,7 +18,7 @@ struct Body {
   std::vector<std::pair<std::string, std::string>> results;  ///< "value" or "d_psi", expression
 };
 
-/// A programming language. LaTeX is none; see emit.cpp.
+/// How a programming language is written. LaTeX is not one; see emit.cpp.
 class Dialect {
  public:
   virtual ~Dialect() = default;
@@ -31,24 +31,26 @@ class Dialect {
   virtual std::string comment(const std::vector<std::string>& lines) const = 0;
   virtual std::string prologue() const = 0;
   virtual std::string epilogue() const { return ""; }
-  /// One result: a plain function; several: a record with a member for each.
+  /// Returns the definition of a function: of one that returns a number if there is one result, else a record
+  /// with a member for each result.
   virtual std::string function(const std::string& name, const std::vector<std::string>& arguments,
                                const std::vector<std::string>& documentation, const Body& body) const = 0;
 };
 
-/// A language by the name that `emit --target` knows. LaTeX has no dialect.
+/// A target of `emit --target`, with its name. The dialect of LaTeX is nullptr.
 struct TargetLanguage {
   Target target;
   std::string name;
   const Dialect* dialect;
 };
-/// All that there are.
+/// Returns all targets.
 const std::vector<TargetLanguage>& target_languages();
 
-/// The one of a target. Throws std::invalid_argument for LaTeX.
+/// Returns the dialect of a target. Throws std::invalid_argument for LaTeX.
 const Dialect& dialect(Target target);
 
-/// Breaks a line after separators so that no line is longer than 110 columns, if that can be.
+/// Returns a line, broken after separators so that no line is longer than 110 columns where that is possible.
+/// `indent` begins each further line.
 std::string wrapped(const std::string& line, const std::string& indent, const std::string& separator = " ");
 
 }  // namespace rederive

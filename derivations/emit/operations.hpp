@@ -21,17 +21,17 @@ struct Operation {
   bool is_leaf() const { return kind == Kind::number || kind == Kind::symbol; }
 };
 
-/// The operations that some expressions need, each before its first use; integer powers are multiplications.
+/// The operations that some expressions need, each before its first use. Integer powers are multiplications.
 class Operations {
  public:
   explicit Operations(const std::vector<Tree>& trees);
 
   const std::vector<Operation>& all() const { return operations_; }
   const std::vector<std::size_t>& results() const { return results_; }  ///< one for each tree
-  /// How often each operation is used, as an operand or as a result.
+  /// Returns how often each operation is used, as an operand or as a result.
   std::vector<std::size_t> uses() const;
-  std::size_t count() const;           ///< without numbers and symbols
-  std::size_t count_unshared() const;  ///< if everything were computed where it is used
+  std::size_t count() const;           ///< the operations, without numbers and symbols
+  std::size_t count_unshared() const;  ///< the same if everything were computed where it is used
 
  private:
   std::size_t add(const Node& node);
@@ -46,8 +46,8 @@ class Operations {
   std::vector<std::size_t> results_;
 };
 
-/// Writes operations as infix expressions, with parentheses where precedence needs them. `sharing` = what is
-/// used more than once gets a name.
+/// Writes operations as infix expressions, with parentheses where precedence needs them. With `sharing`, what
+/// is used more than once gets a name. It keeps references to its arguments, which must live longer.
 class Infix {
  public:
   Infix(const Operations& operations, const Dialect& dialect, bool sharing);
@@ -56,7 +56,7 @@ class Infix {
   std::string text(std::size_t index) const { return text(index, 0); }
 
  private:
-  /// `place`: 0 anywhere, 1 after a minus, 2 left of * and /, 3 right of them or after a unary minus.
+  /// `place` is 0 anywhere, 1 after a minus, 2 to the left of * and /, 3 to the right of them.
   std::string text(std::size_t index, int place) const;
 
   const std::vector<Operation>& all_;

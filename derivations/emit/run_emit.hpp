@@ -6,8 +6,8 @@
 
 namespace rederive {
 
-/// All that `emit --help` says, about the functions of `emission`, which is called when they are needed.
-/// Returns the exit code.
+/// Runs the command line of `emit` for the functions that `emission` returns; it is called when they are
+/// needed. Returns the exit code.
 int run_emit(const std::function<Emission()>& emission, int argc, char** argv);
 
 }  // namespace rederive

@@ -186,6 +186,8 @@ std::vector<std::string> documentation(const TaylorStepper& stepper, const Ratio
   return lines;
 }
 
+/// Returns the class of a stepper. Longer than 60 lines, because each part of the template is one short
+/// statement.
 std::string text_of(const TaylorStepper& stepper, const Symbols& symbols, Target target) {
   const bool cpp = target == Target::cpp;
   const Dialect& language = dialect(target);

@@ -5,8 +5,8 @@
 
 namespace rederive::rocking_block {
 
-/// claims.toml beside the rows, with its checks (claims_bench.hpp). These share a bench, which keeps what is
-/// expensive.
+/// Returns the file claims.toml beside the rows, with its checks (claims_bench.hpp). The checks share a
+/// bench, which keeps what is expensive.
 Claims claims();
 
 }  // namespace rederive::rocking_block

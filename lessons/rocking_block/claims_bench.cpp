@@ -36,7 +36,7 @@ const Entry& Bench::row(const std::string& id) {
   return kept(entries_, id, [&] { return judged(paper(), id); });
 }
 
-bool Bench::stands(const std::string& id) {
+bool Bench::is_right(const std::string& id) {
   const Verdict verdict = verdict_of(id);
   return verdict == Verdict::proved || verdict == Verdict::proved_under || verdict == Verdict::approximation;
 }

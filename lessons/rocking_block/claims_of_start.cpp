@@ -121,7 +121,7 @@ Finding least_start(Bench& bench, const Claim&) {
                        [](const Event& event) { return event.kind != EventKind::pulse_end; });
   };
   const bool below = moves(0.999L), above = moves(1.001L);
-  return {decided(!below && above && bench.stands("24b")),
+  return {decided(!below && above && bench.is_right("24b")),
           {bench.say({"24b"}), below ? "rocks" : "rests", above ? "rocks" : "rests"}};
 }
 

@@ -180,7 +180,7 @@ Finding reference_to_65(Bench& bench, const Claim&) {
 }
 
 Finding momentum_twice(Bench& bench, const Claim&) {
-  const bool settled = bench.verdict_of("u16") == Verdict::definition && bench.stands("46b");
+  const bool settled = bench.verdict_of("u16") == Verdict::definition && bench.is_right("46b");
   return {settled ? qualified : undecided, {bench.say({"u16", "46b"})}};
 }
 
