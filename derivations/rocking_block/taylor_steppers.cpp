@@ -21,36 +21,18 @@ Rates pulse_rates(const SymbolExpression& ground, const SymbolExpression& quadra
   return {{ground, omega_p * quadrature}, {quadrature, c / omega_p * ground}};
 }
 
-std::string name_of(Side side) { return side == Side::negative ? "negative" : "positive"; }
-std::string range_of(Side side) { return side == Side::negative ? ", theta < 0" : ", theta > 0"; }
-
 TaylorStepper without_ground(Side side) {
   const ex acceleration = angular_acceleration(side).subs(u_gddot == 0);
-  return {"free_motion_" + name_of(side),
-          {alpha, p},
-          {{theta, thetadot}, {thetadot, acceleration}},
-          side == Side::negative ? "21a" : "21b",
-          "Free rocking" + range_of(side),
-          t};
-}
-
-/// Motion under a ground acceleration that is part of the state, over g, beside what its rates need.
-TaylorStepper with_ground(TaylorStepper stepper, ex acceleration, const ex& ground_acceleration,
-                          const Rates& rates) {
-  acceleration =
-      GiNaC::collect_common_factors(acceleration.subs(ground_acceleration == numeric::ground * g).expand());
-  stepper.rates = {{theta, thetadot}, {thetadot, acceleration}};
-  stepper.rates.insert(stepper.rates.end(), rates.begin(), rates.end());
-  return stepper;
+  return {.name = on(side, "free_motion"),
+          .parameters = {alpha, p},
+          .rates = {{theta, thetadot}, {thetadot, acceleration}},
+          .equation = row(side, "21a", "21b"),
+          .brief = "Free rocking, " + sign(side),
+          .time = t};
 }
 
 /// The ground motions that have steppers: a pulse, and a straight line between two samples of a record.
 enum class Ground { pulse, line };
-
-std::string name_of(Ground ground) { return ground == Ground::pulse ? "in_pulse_" : "on_line_"; }
-std::string brief_of(Ground ground) {
-  return ground == Ground::pulse ? "under a one-sine or one-cosine pulse" : "under (ground + slope*t)*g";
-}
 
 Rates rates_of(Ground ground) {
   const SymbolExpression acceleration = numeric::ground;
@@ -58,29 +40,35 @@ Rates rates_of(Ground ground) {
   return {{acceleration, numeric::slope}};
 }
 
-std::vector<SymbolExpression> parameters_of(Ground ground) {
-  return {alpha, p, ground == Ground::pulse ? omega_p : numeric::slope};
+/// Returns the stepper of a motion under a ground acceleration that is part of the state, over g, beside what
+/// its rates need.
+TaylorStepper with_ground(Ground ground, Side side, bool is_linear, ex acceleration,
+                          const ex& ground_acceleration, const std::string& equation) {
+  const bool is_pulse = ground == Ground::pulse;
+  acceleration =
+      GiNaC::collect_common_factors(acceleration.subs(ground_acceleration == numeric::ground * g).expand());
+  TaylorStepper stepper{
+      .name = on(side,
+                 (is_linear ? "linear_" : "") + std::string(is_pulse ? "motion_in_pulse" : "motion_on_line")),
+      .parameters = {alpha, p, is_pulse ? omega_p : numeric::slope},
+      .rates = {{theta, thetadot}, {thetadot, acceleration}},
+      .equation = equation,
+      .brief = (is_linear ? "Linear rocking " : "Rocking ") +
+               std::string(is_pulse ? "under a one-sine or one-cosine pulse" : "under (ground + slope*t)*g") +
+               ", " + sign(side),
+      .time = t};
+  for (const auto& rate : rates_of(ground)) stepper.rates.push_back(rate);
+  return stepper;
 }
 
 TaylorStepper motion(Ground ground, Side side) {
-  return with_ground({"motion_" + name_of(ground) + name_of(side),
-                      parameters_of(ground),
-                      {},
-                      side == Side::negative ? "21a" : "21b",
-                      "Rocking " + brief_of(ground) + range_of(side),
-                      t},
-                     angular_acceleration(side), u_gddot, rates_of(ground));
+  return with_ground(ground, side, false, angular_acceleration(side), u_gddot, row(side, "21a", "21b"));
 }
 
 TaylorStepper linear_motion(Ground ground, Side side) {
   const LinearEquation equation = linear_equation_under(side, a_p);
-  return with_ground({"linear_motion_" + name_of(ground) + name_of(side),
-                      parameters_of(ground),
-                      {},
-                      side == Side::negative ? "56a" : "56b",
-                      "Linear rocking " + brief_of(ground) + range_of(side),
-                      t},
-                     pow(equation.k, 2) * theta + equation.forcing, a_p, rates_of(ground));
+  return with_ground(ground, side, true, pow(equation.k, 2) * theta + equation.forcing, a_p,
+                     row(side, "56a", "56b"));
 }
 
 }  // namespace
