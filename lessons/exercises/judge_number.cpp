@@ -66,7 +66,7 @@ Opinion judge_quantity(const Prepared& prepared, const Quantity& read) {
                         fmt::format("{} Your answer has the unit {}; it should have {}.",
                                     slip_words(SlipTable::answer, Slip::dimension),
                                     unit_text(*read.dimension), unit_text(wanted)));
-  if (is_right_value && !read.dimension && unit_text(wanted) != "1")
+  if (is_right_value && !read.dimension && wanted != Dimension{})
     return half_right(Outcome::wrong_form, wrong_answer(Slip::missing_unit));
   if (is_right_value)
     return right_answer(read.in_turns ? fmt::format("Right: {} are {:.{}g} radians a second.", read.read_as,

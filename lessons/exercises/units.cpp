@@ -190,7 +190,7 @@ Tree with_unit_of_whole(const Tree& tree) {
   if (!last || std::any_of(terms.begin(), terms.end() - 1, has_unit)) return tree;
   if (names_of(last->second) == std::set<std::string>{"percent"}) return tree;
   const auto measured = dimension(last->second, unit_symbols()).dimension;
-  if (measured && unit_text(*measured) == "1")
+  if (measured && *measured == Dimension{})  // a pure number
     throw SyntaxError(
         "ambiguous_unit", last->second->position,
         "is this the unit of the whole, as in (90 - 30) deg, or of the last term, as in 2 rad - 30 deg?");
