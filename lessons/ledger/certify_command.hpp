@@ -1,4 +1,4 @@
-// `ledger certify`, and the certificate of `ledger prove`.
+// The commands `ledger certify` and `ledger prove --certificate`.
 #pragma once
 
 #include <derivations/kernel/scripts.hpp>
@@ -7,21 +7,23 @@
 namespace rederive {
 
 struct CertifyOptions {
-  std::string folder;            ///< where the scripts are written; empty: nowhere
-  std::vector<std::string> ids;  ///< rows alone; empty: all
-  bool checks = false, json = false;
+  std::string folder;            ///< for the scripts; if it is empty, none are written
+  std::vector<std::string> ids;  ///< of the rows; if there are none, all rows are meant
+  bool checks = false;           ///< let coqc check the scripts
+  bool json = false;             ///< report in JSON
 };
 
-/// Writes the scripts of the rows, lets coqc check them if that is asked for, and reports on standard output.
-/// A row without a script is skipped and named. Returns the exit code: 1 where a lemma does not pass, 3 where
-/// there is no coqc. Throws BadInput.
+/// Writes the scripts of the rows, lets coqc check them if `options` ask for it, and reports on standard
+/// output. A row without a script is skipped and named. Returns the exit code: 1 if a lemma does not pass, 3
+/// if coqc is not installed. Throws BadInput for an unknown id and for a folder that cannot be written.
 int certify(const Paper& paper, const std::vector<Entry>& entries, const CertifyOptions& options);
 
-/// The lemma of a row, for a reader. Throws BadInput where it has none.
+/// Returns the lemma of a row with its proof. Throws BadInput if there is none.
 std::string lemma_page(const Paper& paper, const Entry& entry);
 
-/// Writes what was asked and is proved as one script that needs no other file. Returns the exit code: 3 where
-/// there is no script for the proof, and standard error says why. Throws BadInput for what cannot be read.
+/// Proves what is requested and writes the proof as one script that needs no other file. Returns the exit
+/// code: 3 if there is no script for the proof; then standard error says why. Throws BadInput for a statement
+/// that cannot be read.
 int write_certificate(const Paper& paper, const ProveRequest& request, const std::string& file);
 
 }  // namespace rederive

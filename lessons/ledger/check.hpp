@@ -1,4 +1,4 @@
-// Coq's word on the scripts.
+// Lets Coq check the scripts.
 #pragma once
 
 #include <derivations/kernel/scripts.hpp>
@@ -6,19 +6,19 @@
 
 namespace rederive {
 
-/// What coqc says of a lemma.
+/// What coqc says about a lemma.
 struct Checked {
   bool passed = false;
-  std::string error;                ///< else what coqc says
-  std::vector<std::string> axioms;  ///< what all that passed assume together, by Print Assumptions
+  std::string error;                ///< the message of coqc if it has not passed
+  std::vector<std::string> axioms;  ///< the axioms of all lemmas that passed, by Print Assumptions
 };
 
-/// Whether coqc can be run.
+/// Returns whether coqc is installed.
 bool has_coq();
 
-/// Compiles the scripts in a temporary folder. A lemma that does not pass is left out, and the others are
-/// tried again; so each gets its own verdict. `progress` is told the files. Throws std::runtime_error where
-/// the prelude itself does not compile.
+/// Compiles the scripts in a temporary folder and returns a result for each lemma. A lemma that does not pass
+/// is left out, and the others are tried again. Calls `progress` with the name of each file. Throws
+/// std::runtime_error if the prelude does not compile.
 std::vector<Checked> check(const Paper& paper, const std::vector<Lemma>& lemmas,
                            const std::function<void(const std::string&)>& progress);
 

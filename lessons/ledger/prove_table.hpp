@@ -1,5 +1,4 @@
-// A table of statements with the verdict that is expected of each: what the engine can do, and what it
-// cannot.
+// A table of statements with the expected verdict of each: what the prover can decide, and what it cannot.
 #pragma once
 
 #include <derivations/paper/prove_bounded.hpp>
@@ -8,29 +7,31 @@
 namespace rederive {
 
 struct TableRow {
-  std::string group, why;  ///< the heading it stands under, and why it is there
-  std::string expected;    ///< a verdict, or "refused" for an input that cannot be used
-  bool limit = false;      ///< a known limit: the statement is true, and the engine says undecided
+  std::string group;     ///< the heading above the row
+  std::string why;       ///< the reason for the row
+  std::string expected;  ///< a verdict, or "refused" for an input that cannot be used
+  bool limit = false;    ///< a known limit: the statement is true, and the verdict is undecided
   ProveRequest request;
 };
 
-/// Reads a table such as tests/prove_table.toml. Throws BadInput naming what is wrong and where.
+/// Reads a table such as tests/prove_table.toml. Throws BadInput, with the place, for a file that cannot be
+/// used.
 std::vector<TableRow> read_table(const std::filesystem::path& file);
 
 struct DecidedRow {
   TableRow row;
-  std::string verdict, reason;  ///< computed now; of what is "refused" the reason is what is wrong with it
+  std::string verdict;  ///< as computed
+  std::string reason;   ///< for it; what is wrong with an input that is refused
 };
 
-/// Decides every row, each within the bounds of decide_bounded(). Shows progress on a terminal.
+/// Decides every row within the bounds of decide_bounded(). Shows the progress on a terminal.
 std::vector<DecidedRow> decide_table(const Paper& paper, const std::vector<TableRow>& rows);
 
-/// {"rows": [{"group", "left", "right", "assume", "small", "order", "verdict", "expected", "limit",
+/// Returns {"rows": [{"group", "left", "right", "assume", "small", "order", "verdict", "expected", "limit",
 /// "reason"}], "counts": {verdict: rows}}
 nlohmann::ordered_json to_json(const std::vector<DecidedRow>& rows);
 
-/// The table as a Markdown page: a section a group; rows of which the verdict is not the expected one are
-/// marked.
+/// Returns the table as a Markdown page with a section for each group. Unexpected verdicts are marked.
 std::string table_page(const std::vector<DecidedRow>& rows);
 
 }  // namespace rederive

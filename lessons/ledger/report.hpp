@@ -8,19 +8,20 @@
 
 namespace rederive {
 
-/// The whole ledger in one JSON document, as COMMANDS fixes it: paper, equations, counts.
+/// Returns the whole ledger as one JSON document: paper, equations, counts.
 nlohmann::ordered_json to_json(const std::vector<Entry>& entries, const Paper& paper);
 
-/// A row an equation, counts by verdict at the end. `colour` for terminals.
+/// Returns one line for each row, and counts by verdict at the end; with colours if `colour` is true.
 std::string ledger_table(const std::vector<Entry>& entries, const Symbols& symbols, bool colour);
-/// All about one row, for a reader: printed, derived with its steps, verdict, witness, consequence.
+/// Returns everything about one row as text: printed, derived with its steps, verdict, witness, consequence.
 std::string ledger_page(const Entry& entry, const Symbols& symbols, bool colour);
-/// The refuted rows alone, those with most resting on them first: "text", "markdown", "latex" or "json".
+/// Returns the refuted rows, those on which most other rows rest first. `format` is "text", "markdown",
+/// "latex" or "json".
 std::string errata(const std::vector<Entry>& entries, const std::string& format, const Paper& paper);
-/// The derivation graph in DOT, coloured by verdict.
+/// Returns the derivation graph in DOT, coloured by verdict.
 std::string graph(const std::vector<Entry>& entries);
 
-/// Verdict → how many.
+/// Returns how many rows have each verdict.
 std::map<std::string, int> counts(const std::vector<Entry>& entries);
 
 }  // namespace rederive

@@ -8,13 +8,13 @@
 
 namespace rederive {
 
-/// All that `ledger --help` says, about the paper that `paper` returns, and its claims if it has some. Both
-/// are called when they are needed. A derivation that throws, or holds what cannot be judged, makes an error
-/// of its row alone. Returns the exit code: 2, and says why on standard error, where symbols are declared
-/// wrongly, an id is derived twice, or a derivation has no row.
+/// Runs the program for the paper that `paper` returns, and for its claims if it has some. Both functions are
+/// called when they are needed. A derivation that throws, or that contains something that cannot be judged,
+/// makes only its row an error. Returns the exit code; it is 2, and standard error says why, if a symbol is
+/// declared wrongly, an id is derived twice, or a derivation has no row.
 int run_ledger(const std::function<Paper()>& paper, int argc, char** argv,
                const std::function<Claims()>& claims = {});
-/// The same for a paper that is there already.
+/// Runs the program for a paper without claims.
 int run_ledger(const Paper& paper, int argc, char** argv);
 
 }  // namespace rederive

@@ -1,4 +1,4 @@
-// Each row from the rows that it follows from.
+// Lemmas that derive a row from the rows before it.
 #pragma once
 
 #include <derivations/kernel/scripts.hpp>
@@ -6,15 +6,16 @@
 
 namespace rederive {
 
-/// Which rows are wanted, by their numbers.
+/// Says whether a row is to have a lemma.
 using Wanted = std::function<bool(const std::string& id)>;
 
-/// A lemma for every wanted row that follows by algebra from the rows before it: what these say are
-/// hypotheses, and either the row is an equation between what they make equal, or one of them, under the
-/// others, says the same as the row. Not those that differentiate, integrate or go to a moment.
+/// Returns a lemma for every wanted row that follows by algebra from the rows before it. These rows are the
+/// hypotheses. Either the row is an equation between two sides that they make equal, or one of them says the
+/// same as the row under the others. Rows that follow by differentiation, by integration or at one moment
+/// have no such lemma.
 std::vector<Lemma> steps_of(const Paper& paper, const std::vector<Entry>& entries, const Wanted& wanted);
 
-/// For each wanted row that is refuted: the correction that the ledger prints says what was derived.
+/// Returns a lemma for each wanted row that is refuted: the correction in the ledger says what was derived.
 std::vector<Lemma> corrections_of(const Paper& paper, const std::vector<Entry>& entries,
                                   const Wanted& wanted);
 

@@ -15,59 +15,57 @@
 
 namespace rederive {
 
-/// What a step writes on, about a paper. An id that the ledger does not have throws std::out_of_range that
-/// names it. Values in our syntax may be put in for symbols: {{"theta", "0"}, {"u_gddot", "g*tan(alpha)"}};
-/// one that cannot be read throws SyntaxError, and an undeclared name throws std::out_of_range.
+/// Values for symbols, in our syntax: {{"theta", "0"}, {"u_gddot", "g*tan(alpha)"}}.
 using Values = std::map<std::string, std::string>;
+/// The passages that a step writes about a paper. The functions throw std::out_of_range for an id that the
+/// ledger does not have and for an undeclared symbol, and SyntaxError for a value that cannot be read.
 class Page {
  public:
   explicit Page(const Paper& paper) : paper_(paper) {}
   const Paper& paper() const { return paper_; }
 
-  /// The derivation of an equation of the paper, and what a derivation says.
+  /// Returns the derivation of an equation of the paper, and the result of a derivation.
   Derivation derived(const std::string& id) const;
   Relation derived_relation(const Derivation& derivation) const {
     return rederive::derived_relation(derivation, paper_.symbols);
   }
   Relation derived_relation(const std::string& id) const { return derived_relation(derived(id)); }
-  /// What the paper prints.
+  /// Returns what the paper prints.
   Relation printed(const std::string& id) const;
   GiNaC::ex with(const GiNaC::ex& expression, const Values& values) const;
-  /// A special case of what was derived, or of what is printed (the last two sides of its chain).
+  /// Returns a special case of what is derived, or of what is printed (of the last two sides of a chain).
   Relation derived_with(const std::string& id, const Values& values) const;
   Relation printed_with(const std::string& id, const Values& values) const;
-  /// The number that an expression comes to. Throws std::invalid_argument if a symbol is left.
+  /// Returns the value of an expression. Throws std::invalid_argument if a symbol has no value.
   double number_of(const GiNaC::ex& expression, const Values& values = {}) const;
 
-  /// Sentences; a blank line begins a new paragraph.
+  /// Adds sentences. A blank line begins a new paragraph.
   void say(const std::string& text);
-  /// A relation or an expression that a derivation holds, never one typed into a lesson.
+  /// Adds a relation or an expression of a derivation, never one that is typed into a lesson.
   void show(const Relation& relation, const std::string& number = "", const std::string& mark = "");
   void show(const GiNaC::ex& expression);
   void show(const GiNaC::ex& left, const std::string& relation, const GiNaC::ex& right,
             const std::string& number = "");
-  /// The derived form of an equation of the paper, under its number.
+  /// Adds the derived form of an equation of the paper, with its number.
   void result(const std::string& id);
-  /// Every step of a derivation, as it is computed, and the result at the end: one text, of which the
-  /// formulas are parts. A step that stands on this page already is left out. `known` is a result on the way
-  /// that was shown before: what leads to it is left out. Throws std::invalid_argument if it is not on the
-  /// way.
+  /// Adds every step of a derivation, as it is computed, and the result, as one text with formulas. Steps
+  /// that are on this page already are left out, and so are those that lead to `known`, a result on the way.
+  /// Throws std::invalid_argument if `known` is not on the way.
   void argue(const std::string& id, const std::string& known = "");
   void argue(const Derivation& derivation, const std::string& number = "", const std::string& known = "");
-  /// What the paper prints and what the ledger found.
+  /// Adds what the paper prints and what the ledger found.
   void verdict(const std::string& id);
-  /// The row as a lemma of Coq; or a theorem that ships, by its name. Throws std::invalid_argument if there
-  /// is no script for it.
+  /// Adds a row as a lemma of Coq, or a theorem of the project by its name. Throws std::invalid_argument if
+  /// there is no script for it.
   void lemma(const std::string& id);
-  /// Lets the decision procedure compare two statements, and says what it found.
+  /// Adds what the decision procedure finds when it compares two statements.
   void compare(const Relation& left, const Relation& right);
   void table(std::vector<std::string> header, std::vector<std::vector<std::string>> rows) {
     blocks_.push_back(Table{std::move(header), std::move(rows)});
   }
   void figure(Figure figure) { blocks_.push_back(std::move(figure)); }
   void commands(std::vector<std::string> lines) { blocks_.push_back(Commands{std::move(lines)}); }
-  /// A case to play with, by the options of `rocking response`, as typed: they are read by the workbench
-  /// alone.
+  /// Adds a case to play with. The options are those of `rocking response`; only the workbench reads them.
   void workbench(const std::string& options);
   void points(std::vector<std::string> items) { blocks_.push_back(BulletList{std::move(items)}); }
 
@@ -90,11 +88,11 @@ struct Lesson {
   std::vector<LessonStep> steps;
 };
 
-/// Which rows the lessons cover: number of a lesson → ids.
+/// The ids of the rows that each lesson covers, by its number.
 using Coverage = std::map<int, std::vector<std::string>>;
-/// Reads equations_of_lessons.toml. Throws BadInput for a row that the paper does not have.
+/// Reads equations_of_lessons.toml. Throws BadInput, with the line, for a row that the paper does not have.
 Coverage read_coverage(const Paper& paper);
-/// The first lesson that covers a row, 0 if none does.
+/// Returns the number of the first lesson that covers a row, or 0.
 int lesson_with(const std::string& id, const Coverage& coverage);
 
 }  // namespace rederive

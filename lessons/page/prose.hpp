@@ -1,4 +1,4 @@
-// Sentences with mathematics in them: taken apart here, once for all output formats.
+// Takes sentences apart and prints their parts, for all formats.
 #pragma once
 
 #include <derivations/paper/paper.hpp>
@@ -18,7 +18,7 @@ struct Span {
   std::string target = {};  ///< of a link
 };
 
-/// Text between blank lines, with the white space inside made single blanks.
+/// Returns the parts of a text between blank lines, in which all white space becomes single blanks.
 std::vector<std::string> paragraphs(std::string_view text);
 /// Takes a sentence apart; passages.hpp lists the marks. Throws std::invalid_argument, with the sentence, if
 /// a mark is not closed.
@@ -26,12 +26,12 @@ std::vector<Span> spans(std::string_view sentence);
 /// Any text as a sentence, or as the part of one, in which no character is a mark.
 std::string literal(std::string_view text);
 
-/// A relation or expression in one of the notations of print.
+/// Returns a relation or an expression in a notation.
 std::string print_statement(const Relation& relation, Notation notation, const Symbols& symbols);
-/// The same for mathematics inside a sentence, `$...$` without the dollars.
+/// Returns the mathematics of a sentence, `$...$` without the dollars, in a notation.
 std::string print_inline(const std::string& text, Notation notation, const Symbols& symbols);
 
-/// A sentence without its marks, mathematics in that notation.
+/// Returns a sentence without its marks.
 std::string unmarked(const std::string& sentence, Notation notation, const Symbols& symbols);
 
 /// A part of a long formula, with the sign before it: a relation sign, "+", "-", or none at the beginning.
@@ -42,27 +42,28 @@ struct Piece {
 };
 /// Breaks a formula before its relation signs and before the terms of its sums.
 std::vector<Piece> pieces(const Relation& relation);
-/// A piece as text. Joined with blanks, the pieces are the whole formula.
+/// Returns a piece as text. Joined with blanks, the pieces are the whole formula.
 std::string print(const Piece& piece, Notation notation, const Symbols& symbols);
-/// A relation sign, "+" or "-" as a notation writes it.
+/// Returns a relation sign, "+" or "-" as a notation writes it.
 std::string sign_text(const std::string& sign, Notation notation);
 
-/// Words of a derivation's step taken apart: what stands between $…$ and can be read is mathematics, all else
+/// Takes the words of a derivation's step apart. Text between $…$ that can be read is mathematics; all else
 /// is text.
 std::vector<Span> step_spans(const std::string& words, const Symbols& symbols);
 
-/// The words of a step, or of the ledger's notes, with marks put in. What stands between $…$ is mathematics;
-/// so are names and calls such as cos(alpha - theta) where the paper says so (Paper::has_names_in_words):
-/// those of other papers may be English words.
+/// Returns the words of a step, or of a note in the ledger, as a sentence. Text between $…$ is mathematics.
+/// If Paper::has_names_in_words is true, so are names and calls such as cos(alpha - theta); in other papers
+/// they may be English words.
 std::string marked(const std::string& words, const Paper& paper);
 
-/// Letters and signs beyond ASCII written out, symbols by their names: "θ" → "theta", "–" → "-".
+/// Returns a text in ASCII, with symbols by their names: "θ" becomes "theta", "–" becomes "-". Throws
+/// std::invalid_argument for a character without a spelling.
 std::string to_ascii(std::string_view text, const Symbols& symbols);
-/// Blanks made no-break spaces, so that wrap keeps the text in one piece.
+/// Returns a text with no-break spaces instead of blanks, so that `wrap` keeps it in one piece.
 std::string glued(const std::string& text);
-/// The same with blanks again.
+/// Returns a text with blanks instead of no-break spaces.
 std::string unglued(std::string text);
-/// Texts as one, with the same between them; `say` makes a text of an item.
+/// Returns the texts of all items as one, with `between` between them. `say` returns the text of an item.
 template <class Items, class Say = std::identity>
 std::string joined(const Items& items, std::string_view between, Say say = {}) {
   std::string text;
@@ -73,17 +74,18 @@ std::string joined(const Items& items, std::string_view between, Say say = {}) {
   }
   return text;
 }
-/// "1 row", "2 rows".
+/// Returns "1 row" or "2 rows".
 inline std::string counted(std::size_t count, const std::string& name) {
   return std::to_string(count) + " " + name + (count == 1 ? "" : "s");
 }
-/// "(71) (86)".
+/// Returns "(71) (86)".
 inline std::string numbers_of(const std::vector<std::string>& ids) {
   return ids.empty() ? "" : "(" + joined(ids, ") (") + ")";
 }
-/// How many columns a UTF-8 text takes in a terminal; combining marks take none.
+/// Returns how many columns a UTF-8 text takes in a terminal. Combining marks take none.
 std::size_t columns(std::string_view text);
-/// Breaks words into lines. A no-break space (U+00A0) stays inside its word and is printed as a blank.
+/// Breaks words into lines of at most `width` columns, of which the first begins with `first` and the others
+/// with `rest`. A no-break space (U+00A0) does not break and is printed as a blank.
 std::string wrap(std::string_view words, std::size_t width, const std::string& first,
                  const std::string& rest);
 

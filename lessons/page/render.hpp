@@ -80,49 +80,48 @@ std::unique_ptr<Renderer> make_renderer(const Setting& setting);
 /// A whole page.
 std::string rendered(const Front& front, const std::vector<Passage>& passages, const Setting& setting);
 
-/// What a command ("rocking threshold --omega 2") is in Python, with the module `rederive`; of "import" what
-/// finds the module; nothing where the module has no counterpart.
+/// Returns a command such as "rocking threshold --omega 2" in Python with the module `rederive`, or nothing
+/// if the module has no counterpart. For "import" it returns the lines that find the module.
 std::optional<std::string> in_python(const std::string& command);
-/// Whether the module was built, or installed, beside the program that runs.
+/// Returns whether the module is built or installed beside the program that runs.
 bool is_module_there();
 
-/// "(17b): refuted (argument)".
+/// Returns "(17b): refuted (argument)".
 std::string headline(const Entry& entry);
-/// What the ledger found, line by line: printed, correct, factor, conditions, witness, dimension, notes.
+/// Returns what the ledger found: printed, correct, factor, conditions, witness, dimension, notes.
 Findings findings(const Entry& entry, const Paper& paper);
 
-/// Draws a figure with gnuplot. `kind` is "svg" or "pdf". Returns the picture, or nothing if gnuplot is not
-/// there. Throws std::runtime_error with gnuplot's own words if the script is wrong.
+/// Returns a figure as gnuplot draws it, or nothing if gnuplot is not installed. `kind` is "svg" or "pdf".
+/// Throws std::runtime_error, with the message of gnuplot, if the script is wrong.
 std::optional<std::string> drawn(const Figure& figure, const std::string& kind);
-/// Writes the same into a folder and returns the file. An empty folder is set to a private one.
+/// Writes such a picture into a folder and returns its file. An empty folder is set to a private one.
 std::optional<std::filesystem::path> draw(const Figure& figure, const std::string& kind,
                                           std::filesystem::path& folder);
 
-/// A relation or an expression as MathML, which browsers draw without help.
+/// Returns a relation or an expression as MathML, which browsers draw without help.
 std::string mathml(const Relation& relation, const Symbols& symbols);
 /// The same for a displayed formula. Each piece is a formula of its own, so that a narrow screen may break
 /// the line between them.
 std::string formula_html(const Relation& relation, const Symbols& symbols);
-/// The letters of formulas in pages, subset of Latin Modern Math; nothing where the build had neither font
-/// nor fonttools.
+/// Returns the style with the letters of formulas, a part of Latin Modern Math; nothing if the font or
+/// fonttools was not installed when the program was built.
 std::string math_font_style();
-/// The element of the workbench with its scripts, opened at a case: the options of `rocking response`. Throws
-/// std::runtime_error if the workbench is not built.
+/// Returns the element of the workbench with its scripts, opened at a case: the options of `rocking
+/// response`. Throws std::runtime_error if the workbench is not built.
 std::string workbench_element(const std::string& options);
-/// Text for LaTeX: what means something to it, and signs of formulas, as commands. Where one sign begins
-/// another, the longer one counts; letters with accents stay; for any other sign beyond ASCII, at which
-/// pdflatex would stop, stands "?".
+/// Returns a text for LaTeX. Its special characters, and signs of formulas, become commands; letters with
+/// accents stay; any other character beyond ASCII, at which pdflatex would stop, becomes "?".
 std::string latex_escaped(std::string_view text);
-/// Text for HTML, with & < > " escaped.
+/// Returns a text for HTML, with & < > " escaped.
 std::string escaped(const std::string& text);
-/// What a command of the shell writes, and what it ends with.
+/// The exit status of a command of the shell, and what it writes to standard output.
 struct Said {
   int status;
   std::string text;
 };
-/// Throws std::runtime_error if no process can be had.
+/// Runs a command. Throws std::runtime_error if the system has no process.
 Said said_by(const std::string& command);
-/// A path as a word of a shell.
+/// Returns a path as a word of the shell.
 std::string in_quotes(const std::filesystem::path& path);
 
 }  // namespace rederive

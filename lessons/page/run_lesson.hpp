@@ -1,4 +1,4 @@
-// The one main that all lessons share.
+// The `main` of all lessons.
 #pragma once
 
 #include <lessons/page/lesson.hpp>
@@ -6,8 +6,7 @@
 
 namespace rederive {
 
-/// Parses the flags that all lessons share, and prints what they ask for of a lesson on `paper`. Returns the
-/// exit code.
+/// Parses the flags of a lesson about `paper` and writes what they ask for. Returns the exit code.
 int run_lesson(const Paper& paper, const Lesson& lesson, int argc, char** argv);
 /// Returns the names of the programs of all lessons, in order. They are in the folder of the program that
 /// runs.

@@ -1,5 +1,4 @@
-// What every call from Python needs: numbers that are checked, and a long computation that can be watched and
-// ended.
+// What all calls from Python share: they check numbers, and they let Python watch and end a long computation.
 #pragma once
 
 #include <fmt/format.h>
@@ -24,7 +23,7 @@ namespace py = pybind11;
 
 using Numbers = py::array_t<double, py::array::c_style | py::array::forcecast>;
 
-/// Throws std::invalid_argument unless low <= value <= high.
+/// Returns the value. Throws std::invalid_argument, with `name`, unless low <= value <= high.
 inline double between(const char* name, double value, double low, double high) {
   if (!std::isfinite(value))
     throw std::invalid_argument(fmt::format("{} {} is not a finite number", name, value));
@@ -33,7 +32,8 @@ inline double between(const char* name, double value, double low, double high) {
   return value;
 }
 
-/// The values of an array of one dimension, all of them between two bounds.
+/// Returns the values of an array. Throws std::invalid_argument, with `name`, unless it has one dimension and
+/// all values are between the bounds.
 inline std::vector<double> numbers_of(const char* name, const Numbers& array, double low, double high) {
   if (array.ndim() != 1)
     throw std::invalid_argument(
@@ -43,8 +43,8 @@ inline std::vector<double> numbers_of(const char* name, const Numbers& array, do
   return values;
 }
 
-/// Computes on other threads without Python's lock; this one looks after Ctrl-C, after which nothing further
-/// is begun, and tells `progress` how many of `count` are done.
+/// Returns compute(work), computed on other threads without Python's lock. This thread tells `progress` how
+/// many of `count` parts are done, and watches for Ctrl-C, after which no further part is begun.
 template <class Compute>
 auto attended(int count, std::optional<int> threads, const py::object& progress, Compute compute) {
   std::atomic<bool> stop{false};
@@ -72,12 +72,12 @@ auto attended(int count, std::optional<int> threads, const py::object& progress,
   return result.get();
 }
 
-/// NumPy's way to say that there is none.
+/// Returns the value, or NaN if there is none.
 inline double or_nan(const std::optional<double>& value) {
   return value.value_or(std::numeric_limits<double>::quiet_NaN());
 }
 
-/// A structured array with named columns.
+/// Returns a structured array of NumPy with the named columns: name and type.
 template <class Row>
 py::object table(const std::vector<Row>& rows,
                  const std::vector<std::pair<std::string, std::string>>& columns) {
