@@ -11,8 +11,6 @@ namespace {
 
 constexpr double alpha = 0.25;
 
-using Points = std::vector<std::pair<double, double>>;
-
 std::pair<double, double> least_at(double omega) {
   return {omega, least_by_conditions({.omega = omega}).value_or(amplitude_without_impact(omega))};
 }

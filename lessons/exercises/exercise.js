@@ -21,7 +21,7 @@ for (const box of document.querySelectorAll(".exercise[data-id]")) {
     event.preventDefault();
     ask(event.submitter.value, said);
   });
-  ask("read", null);  // the standing, which may have changed since the page was written
+  if (box.open) ask("read", null);  // the standing, which may have changed since the page of the lesson was written
   if (read) form.addEventListener("input", () => {
     clearTimeout(timer);
     timer = setTimeout(() => ask("read", read), 250);

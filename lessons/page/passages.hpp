@@ -78,9 +78,9 @@ struct Passage;
 struct ExerciseForm {
   std::string id, title, standing;
   std::vector<Passage> statement;
-  std::vector<std::pair<std::string, std::string>>
-      choices;         ///< value and sentence; empty: the answer is typed
-  std::string prompt;  ///< a sentence: what is to be typed
+  /// The values and sentences to choose from. If there are none, the answer is typed.
+  std::vector<std::pair<std::string, std::string>> choices = {};
+  std::string prompt = {};  ///< a sentence: what is to be typed
   bool is_open = false;
 };
 
