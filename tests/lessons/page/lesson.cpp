@@ -110,7 +110,7 @@ std::vector<std::string> unbalanced(const std::string& text) {
   static const std::regex tag("<(/?)([a-z]+)[^<>]*?(/?)>");
   std::vector<std::string> open;
   for (std::sregex_iterator at(text.begin(), text.end(), tag), end; at != end; ++at) {
-    if ((*at)[3].length() > 0) continue;
+    if ((*at)[3].length() > 0 || (*at)[2] == "wbr") continue;
     if ((*at)[1].length() == 0)
       open.push_back((*at)[2]);
     else if (!open.empty() && open.back() == (*at)[2])
