@@ -153,7 +153,8 @@ class HtmlRenderer : public Renderer {
   }
 
   std::string render(const Findings& part) override {
-    std::string text = (part.kind.empty() ? "<div" : "<div class=\"" + part.kind + "\"") + anchor(part.row) + ">";
+    std::string text =
+        (part.kind.empty() ? "<div" : "<div class=\"" + part.kind + "\"") + anchor(part.row) + ">";
     if (!part.headline.empty()) text += "<p><b>" + escaped(part.headline) + "</b></p>\n";
     for (const auto& line : part.lines) {
       const std::string label = line.label.empty() ? "" : "<i>" + line.label + ":</i> ";
