@@ -44,7 +44,7 @@ const fs::path& changed_programs() {
     REQUIRE(names != std::string::npos);
     write_file(folder.path / "derivations/emit/dialect.hpp",
                replaced(header, header.substr(names, header.find('\n', names) + 1 - names), target(0)));
-    const std::string class_of = "/// The one of its kind.";
+    const std::string class_of = "/// Returns the only dialect of a language.";
     write_file(folder.path / "dialect.cpp",
                replaced(with(dialect + ".cpp", "target_languages() {", "  };\n", target(2)), class_of,
                         target(1) + "\n" + class_of));

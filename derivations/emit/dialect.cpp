@@ -20,13 +20,13 @@ std::string prefixed(const std::vector<std::string>& lines, const std::string& p
   return text;
 }
 
-/// "T name(T a, T b) {", over several lines where one is not enough.
+/// Returns "T name(T a, T b) {", on several lines if one is not enough.
 std::string signature(const std::string& type, const std::string& rest) {
   const bool fits = type.size() + rest.size() < 110;
   return (fits ? type + " " : type + "\n") + wrapped(rest, "    ", ", ") + "\n";
 }
 
-/// "const T common_1 = alpha + theta;" for each.
+/// Returns "const T common_1 = alpha + theta;" for each shared expression.
 std::string declarations(const Body& body, const std::string& type, const std::string& end) {
   std::string text;
   for (const auto& [name, expression] : body.shared) {
@@ -168,7 +168,7 @@ class JavaScript : public Dialect {
   }
 };
 
-/// The one of its kind.
+/// Returns the only dialect of a language.
 template <class Language>
 const Dialect* the() {
   static const Language language;

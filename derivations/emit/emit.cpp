@@ -1,4 +1,4 @@
-// Functions as source text: what is common to all targets.
+// Writes functions as source text: the part that is common to all targets.
 #include <algorithm>
 #include <derivations/emit/emit.hpp>
 #include <derivations/emit/operations.hpp>
@@ -53,7 +53,7 @@ Body body_of(const EmittedFunction& function, const Symbols& symbols, bool with_
   return body;
 }
 
-/// Every symbol in the value is an argument.
+/// Throws std::invalid_argument if a symbol in the value is not an argument.
 void check_arguments(const EmittedFunction& function, const Symbols& symbols) {
   for (auto part = function.value.preorder_begin(); part != function.value.preorder_end(); ++part) {
     if (!GiNaC::is_a<GiNaC::symbol>(*part)) continue;

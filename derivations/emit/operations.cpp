@@ -8,7 +8,7 @@ namespace {
 
 using Kind = Operation::Kind;
 
-/// The exponent if it is an integer as written.
+/// Returns whether a node is an integer as written.
 bool is_whole(const Node& node) {
   return node.kind == Node::Kind::number && node.text.find_first_not_of("0123456789") == std::string::npos;
 }
@@ -82,7 +82,7 @@ std::size_t Operations::add_power(const Node& node) {
   return one_of(Kind::divide, "", {one, whole_power(base, std::stol(exponent.children[0]->text))});
 }
 
-/// x^5 is x²·x²·x, with x² computed once.
+/// Returns an integer power: x^5 is x²·x²·x, with x² computed once.
 std::size_t Operations::whole_power(std::size_t base, long exponent) {
   if (exponent == 0) return one_of(Kind::number, "1", {});
   if (exponent == 1) return base;

@@ -94,7 +94,8 @@ class Extension {
                        [&](const Tree& child) { return moves(*child); });
   }
 
-  /// Inner functions first, so that the argument of each is rational in what there is before it.
+  /// Returns the tree with components of the state in place of functions, inner functions first, so that the
+  /// argument of each is rational in the components before it.
   Tree without_functions(const Tree& tree) {
     if (tree->children.empty()) return tree;
     std::vector<Tree> children;
@@ -103,7 +104,8 @@ class Extension {
     return tree->kind == Node::Kind::call && moves(*rebuilt) ? state_for(tree->text, children[0]) : rebuilt;
   }
 
-  /// The part of the state that stands for the function; with it come the others of its family.
+  /// Returns the component of the state for a function of an argument; it adds the whole family of the
+  /// function.
   Tree state_for(const std::string& function, const Tree& argument) {
     for (const RationalSystem::Function& known : system_.functions)
       if (known.function == function && is_same(known.argument, argument)) return leaf(known.name);

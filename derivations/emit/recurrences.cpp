@@ -49,12 +49,13 @@ class Writer {
     return make_tree(Node::Kind::product, "", {a, b}, {false, false});
   }
 
-  /// A name for what is the same for all k.
+  /// Returns a name for a value that is the same for all k.
   Tree constant(const Tree& tree) {
     return tree->kind == Node::Kind::symbol ? tree : named(result.constants, "constant_", tree, false);
   }
 
-  /// c x y/z: constants apart, so that they multiply the coefficient alone.
+  /// Returns the coefficient of c x y/z. Constants are collected, so that they multiply the coefficient
+  /// alone.
   Tree of_product(const Node& node) {
     std::vector<Tree> constants = {make_tree(Node::Kind::number, "1")}, factors, divisors;
     std::vector<bool> divides = {false};
@@ -101,7 +102,7 @@ class Writer {
     return leaf(name + "[k]");
   }
 
-  /// The array that holds this coefficient for all k.
+  /// Returns the name of the array that holds this coefficient for all k.
   std::string kept(const Tree& value) {
     if (value->kind == Node::Kind::symbol && value->text.ends_with("[k]"))
       return value->text.substr(0, value->text.size() - 3);

@@ -1,4 +1,4 @@
-// Recurrences as a class of C++ or JavaScript.
+// Writes recurrences as a class of C++ or JavaScript.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -148,14 +148,14 @@ constexpr const char* javascript_class = R"(
 
 using Names = std::vector<std::string>;
 
-/// A line with a name in the place of {0}, for each name.
+/// Returns a copy of a line for each name, which replaces {0}.
 std::string each(const Names& names, const std::string& line) {
   std::string text;
   for (const std::string& name : names) text += fmt::format(fmt::runtime(line), name);
   return text;
 }
 
-/// Coefficient k + 1 from that of the rate: first all that can be told before the rate is known.
+/// Returns coefficient k + 1 by that of the rate. The factors that do not depend on the rate come first.
 Tree integrated(const Tree& rate) {
   Tree share = leaf("share"), rest = rate;
   if (rate->kind == Node::Kind::negative)

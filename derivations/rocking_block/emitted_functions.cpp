@@ -1,5 +1,5 @@
-// The list of what is emitted. Every value comes from a derivation; here it only gets its name and its
-// arguments (arguments.hpp).
+// The list of the functions that are emitted. Every value comes from a derivation; here it only gets a name
+// and arguments (arguments.hpp).
 #include <derivations/rocking_block/arguments.hpp>
 #include <derivations/rocking_block/emission.hpp>
 #include <derivations/rocking_block/energy.hpp>
@@ -20,8 +20,8 @@ using namespace arguments;
 struct List {
   std::vector<EmittedFunction> functions;
 
-  /// Adds a function of the arguments, which stands for a row of the paper; `derivatives` are those that it
-  /// has.
+  /// Adds a function of the arguments that computes what a row of the paper says; it also gets derivatives
+  /// with respect to `derivatives`.
   void add(const std::string& name, const std::vector<SymbolExpression>& arguments, const ex& value,
            const std::string& equation, const std::string& brief,
            const std::vector<SymbolExpression>& derivatives = {}) {
@@ -57,8 +57,8 @@ void add_free_motion(List& list, Side side) {
            impact + ", linear model");
 }
 
-/// The pulses: acceleration over g, phase at the start, end, and the amplitude for which the linear block is
-/// about to move at t = 0.
+/// Adds the functions of the pulses: the acceleration over g, the phase at the start, the end, and the
+/// amplitude for which the linear block is about to move at t = 0.
 void add_pulses(List& list) {
   const auto over_g = [&](const ex& e) { return without(g, e.subs(a_p == numeric::amplitude * g) / g); };
   list.add("ground_of_sine_pulse", {numeric::amplitude, omega_p, psi, t},
@@ -87,7 +87,7 @@ void add_constants(List& list) {
            "Least acceleration of the ground over g that makes a block at rest rock");
 }
 
-/// Under a straight piece of a record.
+/// Adds the response to a straight piece of a record.
 void add_response_on_line(List& list, Side side) {
   const LinearEquation equation = linear_equation_under(side, a_p * (numeric::ground + numeric::slope * t));
   const ex angle = solution_from(equation, 0, theta_0, thetadot_0);

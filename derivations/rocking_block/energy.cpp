@@ -29,7 +29,7 @@ Derivation energy_of(Side side, const char* kinetic, const char* potential) {
                  {from(kinetic, "Add the kinetic energy"), from(potential, "and the potential")});
 }
 
-// In (21) with θ̈ = 0, solved for the ground acceleration at θ = α.
+// Derives the ground acceleration at θ = α from (21) with θ̈ = 0.
 Derivation ground_at_alpha(Side side, const char* motion) {
   const ex rest = angular_acceleration(side).subs(theta == alpha);
   return derived(
@@ -37,7 +37,7 @@ Derivation ground_at_alpha(Side side, const char* motion) {
       {from(motion, "Put θ = α and θ̈ = 0 into"), in_words("and solve for the ground acceleration")});
 }
 
-// Ω/(m g R) = cos(lean) + a constant.
+// The potential of the weight: Ω/(m g R) is factor·cos(lean) + a constant.
 struct Weight {
   ex lean, factor;
 };
@@ -51,12 +51,12 @@ Weight weight_of(Side side) {
   throw std::logic_error("the potential of the weight has no cosine of theta");
 }
 
-// cos a − cos b = 2 sin((a + b)/2) sin((b − a)/2)
+// Returns cos a − cos b as the product 2 sin((a + b)/2) sin((b − a)/2).
 ex difference_of_cosines(const ex& a, const ex& b) {
   return 2 * sin(((a + b) / 2).expand()) * sin(((b - a) / 2).expand());
 }
 
-// 2 Ω/J_o by p² alone: what a potential of cosine differences adds to θ̇².
+// Returns what a potential of differences of cosines adds to θ̇²: 2 Ω/J_o, in p² alone.
 ex rate_squared(const Weight& weight, const ex& difference) {
   const ex inertia = 2 * energy(Side::negative).coeff(thetadot, 2);
   ex scale = 2 * m * g * R / inertia;
@@ -64,7 +64,7 @@ ex rate_squared(const Weight& weight, const ex& difference) {
   return scale.normal() * weight.factor * difference;
 }
 
-// The square root of a product of squares; positive where their bases are.
+// Returns the square root of a product of squares. It is positive where their bases are.
 ex root_of_square(const ex& square) {
   ex root = 1;
   for (std::size_t i = 0; i < square.nops(); ++i) {
@@ -102,7 +102,7 @@ Derivation impact_rate_squared(Side side) {
       {energies_of(side, "The energy # is that of θ = 0 with θ̇_before"), as_product(weight.lean, upright)});
 }
 
-/// Long because it is a list: one entry for each row.
+// This function is long because it is a list with one entry for each row.
 void derive_energy(Derivations& rows) {
   rows.add("u6", [] { return ground_at_alpha(Side::negative, "21a"); });
   rows.add("u7", [] { return ground_at_alpha(Side::positive, "21b"); });

@@ -24,7 +24,8 @@ std::vector<Given> inertia_and_frequency() {
 ex kinetic_energy(Side side) {
   const Vector velocity = centre_velocity(side);
   const ex translation = m / 2 * dot(velocity, velocity), rotation = J_c / 2 * pow(thetadot, 2);
-  // The parallel axis: what turns about C with J_c and moves with C turns about the pivot with J_o.
+  // By the parallel-axis theorem a body that moves with C and turns about it with J_c turns about the pivot
+  // with J_o.
   return by_pythagoras((translation + rotation).subs(J_c == J_o - m * pow(R, 2)));
 }
 
@@ -32,7 +33,8 @@ ex weight_potential(Side side) { return m * g * R * (centre_displacement(side).u
 
 namespace {
 
-// Derived once: half of the paper's equations rest on them.
+// Returns the terms of Lagrange's equation. They are derived once, for half of the paper's equations need
+// them.
 const LagrangeTerms& block_lagrange_terms(Side side) {
   const auto terms = [](Side on) {
     return lagrange_terms(kinetic_energy(on), weight_potential(on), {theta, thetadot, thetaddot},
@@ -62,7 +64,7 @@ ex angular_acceleration(Side side) {
 
 namespace {
 
-// b² = R² − h²: leaves J_o as 4/3 m R².
+// Returns b² = R² − h², with which J_o becomes 4/3 m R².
 ex squared_width() { return pow(b, 2) == pow(R, 2) - pow(h, 2); }
 
 Derivation equation_1() {
@@ -95,7 +97,7 @@ Derivation equation_5() {
   const Vector with_centre = turned_clockwise({u_cdot, y_cdot}, -theta);
   const Vector velocity = with_centre + thetadot * Vector{y, -x};
   const ex sum = by_pythagoras(over_body(dot(velocity, velocity) / 2, block_from_centre()));
-  // What b² and h² make up in it is J_c.
+  // The terms with b² and h² are those of J_c.
   const ex b_squared = 3 * J_c / m - pow(h, 2);
   return derived(K, sum.subs(pow(b, 2) == b_squared).expand(),
                  {in_words("Integrate ρ v²/2 over all elements: each moves with C and turns about C"),
@@ -177,7 +179,7 @@ Derivation frequency_parameter() {
                   {"where", J_o, inertia}});
 }
 
-/// Long because it is a list: one entry for each row.
+// This function is long because it is a list with one entry for each row.
 void derive_equation_of_motion(Derivations& rows) {
   rows.add("1", equation_1);
   rows.add("5", equation_5);

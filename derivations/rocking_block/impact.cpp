@@ -6,12 +6,12 @@ using GiNaC::ex;
 
 namespace {
 
-// At θ = 0, with (x, y) as in (39): x from O' to the left, y upwards. The element as seen from either corner.
+// Returns an element at θ = 0 as seen from O', with (x, y) as in (39): x from O' to the left, y upwards.
 Vector seen_from_new_pivot() { return {-x, y}; }
 
 Vector seen_from_old_pivot() { return seen_from_new_pivot() + Vector{2 * b, 0}; }
 
-// A point at `arm` from the point about which a body turns clockwise with `rate`.
+// Returns the velocity of a point at `arm` from the point about which a body turns clockwise with `rate`.
 Vector velocity_of_turning(const Vector& arm, const ex& rate) { return rate * Vector{arm.up, -arm.right}; }
 
 Rectangle block_at_impact() { return {x, y, 0, 2 * b, 0, 2 * h, rho}; }
@@ -26,7 +26,7 @@ ex in_R_and_alpha(const ex& e) {
       e.subs(rho == m / (4 * b * h)).normal().subs(GiNaC::lst{b == R * sin(alpha), h == R * cos(alpha)}));
 }
 
-// by_pythagoras leaves cosines; the paper keeps sines.
+// Returns the expression in sines, which the paper prefers; by_pythagoras leaves cosines.
 ex in_sines(const ex& e) {
   const ex any = GiNaC::wild();
   return e.subs(pow(cos(any), 2) == 1 - pow(sin(any), 2)).expand();
@@ -97,7 +97,7 @@ Derivation equation_41() {
 
 }  // namespace
 
-/// Long because it is a list: one entry for each row.
+// This function is long because it is a list with one entry for each row.
 void derive_impact(Derivations& rows) {
   rows.add("u12a", energy_loss_by_inertia);
   rows.add("u12b", energy_loss);

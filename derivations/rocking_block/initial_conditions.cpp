@@ -9,7 +9,8 @@ namespace {
 
 ex cosine_motion() { return with_amplitude(forced_motion(Side::positive, Pulse::cosine), Pulse::cosine); }
 
-// Time counted from phase π − ψ on: α_p cos(π − ψ + ω_p t), which is −α_p cos(ψ − ω_p t). It starts at −α g.
+// Returns the ground acceleration with time counted from phase π − ψ on: α_p cos(π − ψ + ω_p t), which is
+// −α_p cos(ψ − ω_p t). It starts at −α g.
 ex cosine_after_wait() { return -a_p * cos(psi - omega_p * t); }
 
 Derivation threshold(const ThresholdEquation& found, std::vector<Step> steps, std::vector<Given> given) {
@@ -56,7 +57,7 @@ Derivation phase_of_cosine() {
 
 namespace {
 
-// λ α_p = g tan α with λ = cos ψ.
+// Returns the amplitude by λ α_p = g tan α with λ = cos ψ.
 ex exact_amplitude() {
   const ex rest = motion_by_lagrange(Side::negative).subs(lst{theta == 0, thetaddot == 0});
   const ex suffices = -rest.coeff(u_gddot, 0) / rest.coeff(u_gddot, 1);
@@ -87,7 +88,7 @@ Derivation end_of_cosine_pulse() {
 }
 
 Derivation start_under_cosine() {
-  // The side θ > 0 starts where its right side of (97), at θ = 0, comes to zero: cos(phase) = −cos ψ.
+  // Motion to θ > 0 starts where the right side of (97) is 0 at θ = 0: cos(phase) = −cos ψ.
   const LinearEquation equation = linear_equation(Side::positive, Pulse::cosine);
   const ex phase = omega_p * t + psi;
   const ex forcing = with_amplitude(equation.forcing, Pulse::cosine);
@@ -100,7 +101,7 @@ Derivation start_under_cosine() {
 
 }  // namespace
 
-/// Long because it is a list: one entry for each row.
+// This function is long because it is a list with one entry for each row.
 void derive_initial_conditions(Derivations& rows) {
   rows.add("u26", cosine_is_shifted_sine);
   rows.add("u27a", first_acceleration_of_cosine);

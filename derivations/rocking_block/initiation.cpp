@@ -7,11 +7,10 @@ using GiNaC::lst;
 
 namespace {
 
-// The moment about O that the weight can hold and the one that the ground acceleration exerts, at rest: (11)
-// there.
+// Returns the left side of (11) at rest: the moments about O of the weight and of the ground acceleration.
 ex moment_at_rest() { return motion_by_lagrange(Side::negative).subs(lst{theta == 0, thetaddot == 0}); }
 
-// At t = 0+ the block stands upright and has not yet moved, but accelerates.
+// Returns the expression at t = 0+, when the block is upright and has not yet moved, but accelerates.
 ex at_start(const ex& e) {
   return e.subs(lst{theta == 0, thetadot == 0, thetaddot == thetaddot_0, u_gddot == u_gddot_0});
 }
@@ -22,7 +21,8 @@ ex first_vertical_force() { return (m * (g + at_start(centre_acceleration(Side::
 
 ex by_share(const ex& e) { return e.subs(u_gddot_0 == lambda * a_p); }
 
-// The clockwise moment of the reaction at O about C, less what the angular acceleration needs.
+// Returns the clockwise moment about C of the reaction at O, minus the moment that the angular acceleration
+// needs.
 ex moments_about_centre() { return clockwise_cross({-b, -h}, {H_0, V_0}) - J_c * thetaddot_0; }
 
 Given share() { return {u_gddot_0, lambda * a_p}; }
@@ -81,7 +81,7 @@ Derivation first_acceleration() {
       {from("23", "Rocking begins when the moment of the weight is reached, #"), in_words("with H = m ü_g")});
 }
 
-/// Long because it is a list: one entry for each row.
+// This function is long because it is a list with one entry for each row.
 void derive_initiation(Derivations& rows) {
   rows.add("23", [] {
     const ex moment = moment_at_rest();

@@ -53,7 +53,8 @@ const char* place_of_centre(Side side) {
                "vertical, to the left of O'";
 }
 
-// x_c counts the way from rest to the left about O and to the right about O': positive in both cases.
+// Returns x_c, the displacement from rest, to the left about O and to the right about O': positive in both
+// cases.
 ex way_of_centre(Side side) {
   const ex moved = centre_displacement(side).right;
   const ex half_width = R * sin(alpha);
@@ -84,7 +85,7 @@ Derivation vertical_displacement(Side side) {
 
 }  // namespace
 
-/// Long because it is a list: one entry for each row.
+// This function is long because it is a list with one entry for each row.
 void derive_kinematics(Derivations& rows) {
   rows.add("2a", [] { return total_displacement(Side::negative); });
   rows.add("2b", [] { return horizontal_displacement(Side::negative); });

@@ -126,7 +126,7 @@ Derivation forced_rate(Side side, const char* motion) {
                  {from(motion, "Differentiate"), from(linear_amplitude(), "and put in the amplitude")});
 }
 
-// Where the free block of (21) can stand: its weight above the pivot.
+// Derives the angle at which the free block of (21) is in equilibrium, with its weight above the pivot.
 Derivation critical_angle(Side side, const ex& value) {
   const ex weight = angular_acceleration(side).subs(u_gddot == 0);
   return derived(
@@ -178,7 +178,7 @@ Derivation free_constant(Side side, bool first) {
       {from(side == Side::negative ? "62a" : "62b", "Set t = t_o in"), in_words("and in its derivative")});
 }
 
-/// Long because it is a list: one entry for each row.
+// This function is long because it is a list with one entry for each row.
 void derive_linear_response(Derivations& rows) {
   rows.add("56a", [] { return linearised(Side::negative, "21a", Pulse::sine); });
   rows.add("56b", [] { return linearised(Side::positive, "21b", Pulse::sine); });

@@ -1,4 +1,4 @@
-// Overturning after one impact behind the pulse: (89) to (96), and the window of amplitudes that it leaves.
+// Overturning after one impact after the end of the pulse: (89) to (96), and the window of amplitudes for it.
 #include <derivations/rocking_block/overturning_after_one_impact.hpp>
 
 namespace rederive::rocking_block {
@@ -18,7 +18,7 @@ ex scaled_angle_at_end() {
   return ((angle_at_end(Side::negative, Pulse::sine).subs(constants_from_rest()) + alpha) / alpha).expand();
 }
 
-// The free motion (89) from the state (91): θ + α over α, and θ̇ over p α.
+// The free motion (89) starts from the state (91): (θ + α)/α and θ̇/(p α).
 LinearEquation free_equation() { return linear_equation(Side::negative, Pulse::none); }
 
 ex free_from_end() { return solution_from(free_equation(), T_ex, theta_ex, thetadot_ex); }
@@ -52,7 +52,7 @@ ex at_corner(const ex& e) {
   return e.subs(lst{c_1 == c.C, c_2 == c.D, t == t_star});
 }
 
-// c_1 + c_2: what decides the free motion after the impact.
+// Returns c_1 + c_2, whose sign decides the free motion after the impact.
 ex growth_after_impact() {
   const Constants c = free_constants_after_impact();
   return 2 * growing_part(free_after_impact(), t_i).subs(lst{c_1 == c.C, c_2 == c.D});
@@ -68,7 +68,8 @@ Derivation first_constant_after_impact() {
 
 ex energy_at_end() { return (pow(scaled_rate_at_end(), 2) - pow(scaled_angle_at_end(), 2)); }
 
-// θ̇²/p² − (θ + α)² keeps its value in free motion; at an upright block it is θ̇²/p² − α².
+// Returns θ̇²/p² − (θ + α)², over α², at the critical impact. It is constant in free motion, and θ̇²/p² − α²
+// when the block is upright.
 ex energy_at_critical_impact() {
   const ex rate = alpha / e;  // e θ̇/p = α
   return ((pow(rate, 2) - pow(alpha, 2)) / pow(alpha, 2)).expand();
@@ -96,7 +97,7 @@ Derivation time_of_critical_impact() {
       {sine_end()});
 }
 
-/// Long because it is a list: one entry for each row.
+// This function is long because it is a list with one entry for each row.
 void derive_overturning_impact_after_pulse(Derivations& rows) {
   rows.add("89a", [] {
     return derived(theta, free_from_end(),
@@ -174,7 +175,7 @@ void derive_overturning_impact_after_pulse(Derivations& rows) {
   });
   rows.add("r11", time_of_critical_impact);
   rows.add("r12", [] {
-    // θ̇(T_ex) = −p (θ(T_ex) + α) by (68): the block that just comes back has left its corner from rest.
+    // By (68) θ̇(T_ex) = −p (θ(T_ex) + α) for the block that just comes back.
     const ex square = pow(thetadot_ex / p, 2) - pow(theta_ex + alpha, 2) + pow(alpha, 2);
     const ex critical = square.subs(thetadot_ex == -p * (theta_ex + alpha)).expand();
     return derived(

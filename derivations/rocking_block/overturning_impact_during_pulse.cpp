@@ -8,13 +8,13 @@ using GiNaC::lst;
 
 namespace {
 
-// The forced motion after an impact at t_i, with time counted from there: (79a).
+// Returns the forced motion after an impact at t_i, with time counted from there: (79a).
 ex motion_after_impact() {
   return with_amplitude(general_solution(linear_equation(Side::positive, Pulse::sine), t_i, A_3, A_4),
                         Pulse::sine);
 }
 
-// The phase at T_ex is 2π; the symbol T_ex stays where time is counted from t_i.
+// Returns the expression at T_ex, where the phase is 2π; T_ex remains where time is counted from t_i.
 ex at_end_of_sine(const ex& e) { return e.subs(omega_p * t + psi == 2 * GiNaC::Pi).subs(t == T_ex); }
 
 Constants constants_after_impact() {
@@ -25,7 +25,7 @@ Constants constants_after_impact() {
 
 ex motion_before_impact() { return with_amplitude(forced_motion(Side::negative, Pulse::sine), Pulse::sine); }
 ex rate_before_impact() { return motion_before_impact().diff(t); }
-// sin(ω_p t_i + ψ) and its cosine by the addition theorem.
+// Returns the expression with sin(ω_p t_i + ψ) and its cosine expanded by the addition theorem.
 ex by_addition(const ex& e) {
   const ex turned = omega_p * t_i, whole = turned + psi;
   return e
@@ -36,7 +36,8 @@ ex by_addition(const ex& e) {
 
 ex scale() { return (1 + pow(omega_p / p, 2)) * sin(psi) / alpha; }
 
-// (75) after the impact: grown e^{p(T_ex − t_i)} + added = 0, with A_3 + A_4 and what the pulse adds.
+// The parts of (75) after the impact: grown·e^{p(T_ex − t_i)} + added = 0, with A_3 + A_4 and the share of
+// the pulse.
 struct CriticalSum {
   ex grown, added;
   ex over_growth() const { return grown + added * exp(-p * (T_ex - t_i)); }
@@ -53,7 +54,7 @@ CriticalSum critical_after_impact(const Constants& c) {
   return {joined.coeff(growth, 1).subs(constants), joined.coeff(growth, 0)};
 }
 
-// Terms without an exponential on the left, the others on the right.
+// Derives vanishes = 0 with the terms without an exponential on the left and the others on the right.
 Derivation sorted(const ex& vanishes, std::vector<Step> steps, std::vector<Given> given = {}) {
   ex left = 0, right = 0;
   const ex sum = vanishes.expand();
@@ -79,7 +80,7 @@ ex overturning_impact_during_pulse() {
   return (-condition.expand() * p / omega_p).expand().normal().expand();
 }
 
-/// Long because it is a list: one entry for each row.
+// This function is long because it is a list with one entry for each row.
 void derive_overturning_impact_during_pulse(Derivations& rows) {
   rows.add("79a", [] {
     return derived(theta, motion_after_impact(),

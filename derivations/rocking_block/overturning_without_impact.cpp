@@ -9,10 +9,10 @@ namespace {
 
 ex corner(Side side) { return side == Side::negative ? ex(-alpha) : ex(alpha); }
 
-// The free motion from the end of the pulse on.
+// Returns the free motion from the end of the pulse on.
 ex free_from_end(Side side) { return free_motion(side).subs(t_o == T_ex); }
 
-// At T_ex the phase is a multiple of π/2, whose sine and cosine GiNaC knows.
+// Returns the expression at T_ex, where the phase is a multiple of π/2, whose sine and cosine GiNaC knows.
 ex at_end(const ex& e, Pulse pulse) {
   const ex phase = omega_p * end_of_pulse(pulse) + psi;
   return e.subs(omega_p * t + psi == phase.expand()).subs(t == T_ex);
@@ -38,7 +38,8 @@ ex critical_sum(Side side, const ex& angle, const ex& rate) { return rate / p + 
 ex linear_critical_rate(Side side) { return -p * critical_sum(side, theta, 0); }
 
 ex linear_impact_rate_squared(Side side) {
-  // 2 θ̇ times θ̈ − k²θ = f is the rate of θ̇² − k²(θ − θ_c)², where k²θ_c = −f: of a product of two factors.
+  // 2 θ̇ times θ̈ − k²θ = f says that θ̇² − k²(θ − θ_c)², a product of two factors, is constant, with k²θ_c =
+  // −f.
   const LinearEquation equation = linear_equation(side, Pulse::none);
   const ex from_corner = equation.k * (theta + equation.forcing / pow(equation.k, 2)).normal();
   const ex kept = (thetadot - from_corner) * (thetadot + from_corner);
@@ -61,7 +62,7 @@ ThresholdEquation threshold_without_impact(Side side, const ex& ground, const Gi
                         .subs(lst{exp(p * t) == growth, exp(-p * t) == 1 / ex(growth)})
                         .subs(t == end)
                         .expand();
-  // What has grown, and what the pulse still adds. Divided so that e^{−p T_ex} stands alone.
+  // The sum is grown·e^{p T_ex} + added. It is divided so that e^{−p T_ex} is alone on the right.
   const ex grown = at_end.coeff(growth, 1), added = at_end.coeff(growth, 0);
   return {by_phase(-grown / added), exp(-p * end)};
 }
@@ -72,7 +73,7 @@ ThresholdEquation threshold_without_impact(Side side, Pulse pulse) {
 
 namespace {
 
-// φ(T_ex) = corner and φ̇(T_ex) = 0 for the free motion: (65), (72).
+// Derive φ = corner and φ̇ = 0 for the free motion after T_ex: (65), (72).
 Derivation corner_reached(Side side, const char* motion) {
   return derived(corner(side), free_from_end(side),
                  {from(motion, "The motion # after the pulse, t_o = T_ex,"),
@@ -139,7 +140,7 @@ Derivation equation_68() { return critical(Side::negative, "67", "66a", "66b"); 
 Derivation equation_70a() { return from_rest("58a", forced_constant(Side::negative, true)); }
 Derivation equation_70b() { return from_rest("58b", forced_constant(Side::negative, false)); }
 
-/// Long because it is a list: one entry for each row.
+// This function is long because it is a list with one entry for each row.
 void derive_overturning_without_impact(Derivations& rows) {
   rows.add("65a", [] { return corner_reached(Side::negative, "62a"); });
   rows.add("65b", [] { return corner_at_rest(Side::negative, "62a"); });

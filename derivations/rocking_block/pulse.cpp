@@ -12,7 +12,7 @@ ex ground_acceleration(Pulse pulse) {
 }
 
 ex end_of_pulse(Pulse pulse) {
-  // The cosine is the sine a quarter of a turn ahead, and ends with it.
+  // The cosine is the sine with a phase larger by π/2, and ends with it.
   const ex last = pulse == Pulse::cosine ? 2 * GiNaC::Pi - GiNaC::Pi / 2 : 2 * GiNaC::Pi;
   return (last - psi) / omega_p;
 }
@@ -26,7 +26,7 @@ Derivation end_of_sine_pulse() {
                  {in_words("The phase ω_p t + ψ of (52) has then come to 2π")});
 }
 
-/// Long because it is a list: one entry for each row.
+// This function is long because it is a list with one entry for each row.
 void derive_pulse(Derivations& rows) {
   rows.add("52b", [] {
     return derived(0, omega_p * t + psi, {in_words("One sine: the phase of (52) runs from 0")}, {}, "<=");

@@ -10,7 +10,7 @@ namespace {
 
 ex with_motion(const ex& e, Side side) { return e.subs(thetaddot == angular_acceleration(side)).expand(); }
 
-// x_c, y_c of (48), (49): for θ < 0 the way of C is u_c = u_g − x_c.
+// Return a derivative of x_c and y_c of (48) and (49). For θ < 0 the displacement of C is u_c = u_g − x_c.
 ex way(int derivatives) {
   ex result = -centre_displacement(Side::negative).right.subs(R * sin(alpha) == b);
   for (int n = 0; n < derivatives; ++n) result = time_derivative(result, block_rates());
@@ -48,7 +48,7 @@ Derivation contact(Side side, const char* motion) {
                  {from(vertical(side, motion), "The ground pushes and never pulls")}, {}, ">");
 }
 
-// (51): the block at rest, about to move under ü_g = g tan α.
+// Returns the expression for (51): the block is at rest and about to move under ü_g = g tan α.
 ex at_initiation(const ex& e) {
   return e.subs(lst{theta == 0, thetadot == 0, u_gddot == g * sin(alpha) / cos(alpha)})
       .subs(R == 3 * g / (4 * pow(p, 2)));
@@ -77,7 +77,7 @@ Derivation friction_demand_negative() { return demand(Side::negative, "21a"); }
 
 }  // namespace
 
-/// Long because it is a list: one entry for each row.
+// This function is long because it is a list with one entry for each row.
 void derive_sliding(Derivations& rows) {
   rows.add("47a", [] {
     return derived(H, m * (u_gddot - x_cddot),

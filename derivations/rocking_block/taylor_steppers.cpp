@@ -1,4 +1,4 @@
-// The list of the steppers. Every rate comes from a derivation.
+// The list of the Taylor steppers that are emitted. Every rate comes from a derivation.
 #include <array>
 #include <derivations/rocking_block/arguments.hpp>
 #include <derivations/rocking_block/emission.hpp>
@@ -13,7 +13,8 @@ namespace {
 
 using namespace arguments;
 
-/// A pulse is part of the state with its rate over ω_p: d²ü_g/dt² = c ü_g with c constant in time.
+/// Returns the rates of a pulse, which is part of the state together with its rate over ω_p: d²ü_g/dt² = c
+/// ü_g with a constant c.
 Rates pulse_rates(const SymbolExpression& ground, const SymbolExpression& quadrature) {
   const ex pulse = ground_acceleration(Pulse::sine);
   const ex c = (pulse.diff(t, 2) / pulse).normal();

@@ -63,8 +63,8 @@ Window Bench::least(const PulseCase& asked) {
   return *window;
 }
 
-/// The region of one code is connected: from the first (or last) amplitude of a row of them that has it,
-/// bisect. Under the cosine pulse the sides are exchanged.
+/// Bisects from the first (or last) amplitude of a grid that has the code, for the amplitudes with one code
+/// are connected. Under the cosine pulse the sides are exchanged.
 double Bench::edge(const PulseCase& asked, int code_under_sine, bool upper) {
   const int code = asked.pulse == Pulse::sine ? code_under_sine : -code_under_sine;
   return kept(edges_, fmt::format("{}/{}/{}", key_of(asked), code, upper), [&] {

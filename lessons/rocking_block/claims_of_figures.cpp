@@ -12,7 +12,7 @@ using namespace numerics;
 
 namespace {
 
-/// "a/b": the two numbers as printed.
+/// Returns the two numbers of a text "a/b" as they are printed.
 std::pair<std::string, std::string> two_numbers(const std::string& printed) {
   const auto slash = printed.find('/');
   return {printed.substr(0, slash), printed.substr(slash + 1)};
@@ -29,7 +29,8 @@ std::string outcome_says(int code) {
   return code == 0 ? "stays up" : fmt::format("overturns (code {:+d})", code);
 }
 
-/// A threshold that two printed numbers bracket: as labelled (linear, alpha*g), and read in every other way.
+/// Decides whether two printed numbers bracket a threshold: as labelled (linear, alpha*g), and in all other
+/// readings.
 Finding bracket(Bench& bench, const Claim& claim) {
   const auto [below, above] = two_numbers(claim.printed);
   const PulseCase asked = pulse_case(claim.omega_ratio);
@@ -68,7 +69,7 @@ Finding bracket(Bench& bench, const Claim& claim) {
   return {refuted, found};
 }
 
-/// Which model do the numbers of a figure belong to?
+/// Decides which model the numbers of a figure belong to.
 Finding linearized(Bench& bench, const Claim& claim) {
   const auto [below, above] = two_numbers(claim.printed);
   const auto readings = threshold_readings(bench, claim.omega_ratio, claim.impacts);
@@ -103,13 +104,14 @@ Finding restitution_behind_figures(Bench& bench, const Claim&) {
            1 / in_tangent(pulse_case(3), derived)}};
 }
 
-/// Does the impact of the critical motion come during the pulse, or after it?
+/// Decides whether the impact of the critical motion comes during the pulse or after it.
+template <bool is_during_pulse>
 Finding impact_in_figure(Bench& bench, const Claim& claim) {
   const PulseCase asked = pulse_case(claim.omega_ratio);
   const double amplitude = bench.mode_2(asked);
   const Response motion = tell(asked.block, asked.model, ground_of(asked, amplitude), asked.initial).response;
   const double impact = first_time(motion, EventKind::impact), end = first_time(motion, EventKind::pulse_end);
-  return {decided((impact < end) == (claim.check == "impact_during_pulse") && impact > 0),
+  return {decided((impact < end) == is_during_pulse && impact > 0),
           {claim.omega_ratio, amplitude, impact, end}};
 }
 
@@ -123,7 +125,7 @@ Finding returns_to_rest(Bench&, const Claim&) {
   return {decided(rest > 0), {impacts, rest}};
 }
 
-/// Relative differences between the models, nonlinear in alpha*g and in g*tan(alpha).
+/// Relative differences between the models, with the nonlinear one in alpha*g and in g*tan(alpha).
 struct Differences {
   std::string text;
   double least = 1e9, most = -1e9;  ///< in alpha*g, in percent; positive: the linear block falls sooner
@@ -156,7 +158,10 @@ Finding slender_blocks(Bench& bench, const Claim&) {
   return {d.most_size < 1 ? confirmed : d.least_size > 10 ? refuted : qualified, {d.text, d.least, d.most}};
 }
 
-Finding good_agreement(Bench& bench, const Claim& claim) {
+/// Decides whether the models agree well, or, if `in_regions`, whether they agree in some regions and not in
+/// others.
+template <bool in_regions>
+Finding good_agreement(Bench& bench, const Claim&) {
   const Differences d = differences(bench, 0.25);
   const double linear = bench.mode_2(pulse_case(7.5)), without = bench.mode_1(pulse_case(7.5)),
                full = bench.mode_2(pulse_case(7.5, Model::nonlinear));
@@ -170,8 +175,7 @@ Finding good_agreement(Bench& bench, const Claim& claim) {
                     parted ? " Beyond the end of the linear curve after one impact they part: the nonlinear "
                              "block still overturns so, far below what the linear curve allows."
                            : ""};
-  if (claim.check == "regions_of_agreement")
-    return {decided(d.least_size < 2 && (d.most_size > 4 || parted)), found};
+  if (in_regions) return {decided(d.least_size < 2 && (d.most_size > 4 || parted)), found};
   return {d.most_size < 2 && !parted ? confirmed : d.least_size > 10 ? refuted : qualified, found};
 }
 
@@ -182,12 +186,12 @@ Checks checks_of_figures() {
           {"linearized", linearized},
           {"order_of_numbers", order_of_numbers},
           {"restitution_behind_figures", restitution_behind_figures},
-          {"impact_during_pulse", impact_in_figure},
-          {"impact_after_pulse", impact_in_figure},
+          {"impact_during_pulse", impact_in_figure<true>},
+          {"impact_after_pulse", impact_in_figure<false>},
           {"returns_to_rest", returns_to_rest},
           {"slender_blocks", slender_blocks},
-          {"good_agreement", good_agreement},
-          {"regions_of_agreement", good_agreement}};
+          {"good_agreement", good_agreement<false>},
+          {"regions_of_agreement", good_agreement<true>}};
 }
 
 }  // namespace rederive::rocking_block

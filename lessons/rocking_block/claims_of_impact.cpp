@@ -12,7 +12,7 @@ namespace {
 
 constexpr Real long_pi = std::numbers::pi_v<Real>;
 
-/// The phase of either pulse at its beginning: the motions begin at psi, later than that.
+/// Returns the phase at which a pulse begins. The motions begin later, at phase psi.
 Real phase_0(Pulse pulse) { return pulse == Pulse::sine ? 0 : long_pi / 2; }
 
 Finding pulse_start(Bench&, const Claim&) {
@@ -25,7 +25,7 @@ Finding pulse_start(Bench&, const Claim&) {
   return {decided(std::abs(sine) < 1e-12 && std::abs(cosine - 1) < 1e-12), {sine, cosine}};
 }
 
-/// The pulse of section 3 taken from phase 0: what velocity does the ground keep?
+/// Computes the velocity that the ground keeps after the pulse of section 3, taken from phase 0.
 Finding cosine_is_whole(Bench&, const Claim&) {
   const auto end = [](Pulse pulse) {
     const Piece piece = pulse_motion(pulse, 2, 2, 1).front();

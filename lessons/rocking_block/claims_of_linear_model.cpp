@@ -32,8 +32,9 @@ Finding admissible_71(Bench& bench, const Claim&) {
   return {decided(highest < 0), {highest}};
 }
 
-/// The critical motions at the end of the pulse: how far from the separatrix, and how far out.
-Finding separatrix(Bench& bench, const Claim& claim) {
+/// Computes how far the critical motions are from the separatrix at the end of the pulse, and from upright.
+template <ClaimVerdict if_on_it>
+Finding separatrix(Bench& bench, const Claim&) {
   double off = 0, farthest = 0;
   for (const double ratio : {1.0, 2.0, 3.0, 4.0, 6.0})
     for (const int impacts : {0, 1}) {
@@ -46,10 +47,7 @@ Finding separatrix(Bench& bench, const Claim& claim) {
     }
   const char* beyond =
       " Some come from beyond it: the block may pass α while the ground moves and still be critical.";
-  return {off > 1e-9                           ? refuted
-          : claim.check == "separatrix_reason" ? qualified
-                                               : confirmed,
-          {off, farthest, farthest > 1 ? beyond : ""}};
+  return {off > 1e-9 ? refuted : if_on_it, {off, farthest, farthest > 1 ? beyond : ""}};
 }
 
 Finding roots_of_78(Bench&, const Claim&) {
@@ -91,7 +89,7 @@ Finding sides_under_sine(Bench& bench, const Claim&) {
           {without, wrong == 0 ? "all" : "not all", after, found}};
 }
 
-/// The pulse with its sign changed.
+/// Returns the pulse with its sign changed.
 GroundMotion reversed(GroundMotion ground) {
   ground.front().phase += pi;
   return ground;
@@ -111,7 +109,7 @@ Finding pulse_of_other_sign(Bench& bench, const Claim&) {
   return {decided(mirrored == tried), {mirrored, tried}};
 }
 
-/// Where the critical motion of Fig. 8 creeps to, under either sign of the pulse.
+/// Finds the corner that the critical motion of Fig. 8 approaches, under either sign of the pulse.
 Finding end_of_portrait(Bench& bench, const Claim&) {
   const PulseCase asked = pulse_case(2);
   const GroundMotion ground = ground_of(asked, bench.mode_1(asked));
@@ -204,8 +202,8 @@ Finding independent_of_alpha(Bench& bench, const Claim&) {
 Checks checks_of_linear_model() {
   return {{"threshold_71", threshold_71},
           {"admissible_71", admissible_71},
-          {"separatrix", separatrix},
-          {"separatrix_reason", separatrix},
+          {"separatrix", separatrix<confirmed>},
+          {"separatrix_reason", separatrix<qualified>},
           {"roots_of_78", roots_of_78},
           {"admissible_78", admissible_78},
           {"sides_under_sine", sides_under_sine},

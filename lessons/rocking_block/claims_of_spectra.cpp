@@ -83,7 +83,7 @@ Finding amplitude_at_4(Bench& bench, const Claim&) {
 
 using std::numbers::pi;
 
-/// The part T_ex = (2 pi - psi)/omega_p of a pulse in s, and the whole of it.
+/// Return the part T_ex = (2 pi - psi)/omega_p of a pulse, and the whole pulse 2 pi/omega_p, in s.
 double rest_of_pulse(double ratio, double amplitude) {
   return (2 * pi - std::asin(1 / amplitude)) / (ratio * paper_block().p);
 }
@@ -129,7 +129,8 @@ struct Limit {
   double ground = 1e9, period = 0;
 };
 
-/// The largest a_g in g for which the lower curve of the one-sine pulse lies above the elastic spectrum.
+/// Returns the largest a_g, in g, for which the lower curve of the one-sine pulse lies above the elastic
+/// spectrum.
 Limit limit_of(Bench& bench, char ground, double damping) {
   Limit limit;
   for (int i = 8; i <= 80; i += 2) {
@@ -167,8 +168,8 @@ Finding both_soils(Bench& bench, const Claim&) {
   return {decided(b >= 0.36 || b >= a), {a, b, zones_above(b)}};
 }
 
-/// The test of the text: an amplitude above the ordinate of the elastic spectrum at "its period" is safe. A
-/// pulse whose amplitude is the peak ground acceleration itself is the witness against it.
+/// Decides the test of the text, that an amplitude above the ordinate of the elastic spectrum at "its period"
+/// is safe. A pulse whose amplitude is the peak ground acceleration is the witness against it.
 Finding safety_by_spectrum(Bench& bench, const Claim&) {
   std::string found;
   bool witness = false;

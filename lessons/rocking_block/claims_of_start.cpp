@@ -15,7 +15,7 @@ namespace {
 
 constexpr Block block;
 
-/// θ̈/p² just above rest on either side under a constant ground acceleration in units of g·tan α.
+/// Returns θ̈/p² at rest on a side, under a constant ground acceleration in units of g·tan α.
 double first_acceleration(int side, double ground) {
   const double level = ground * std::tan(block.alpha);
   return side < 0 ? emitted::angular_acceleration_negative(block.alpha, 1.0, 0.0, level)
@@ -125,7 +125,7 @@ Finding least_start(Bench& bench, const Claim&) {
           {bench.say({"24b"}), below ? "rocks" : "rests", above ? "rocks" : "rests"}};
 }
 
-/// H and V from the corrected (47), for m = g = 1, on the side of the angle.
+/// Returns H/V by the corrected (47), for m = g = 1, on the side of the angle; infinity if V <= 0.
 double friction(double theta, double thetadot, double ground) {
   const bool left = theta <= 0;
   const double h = left ? emitted::horizontal_reaction_negative(block.alpha, theta, thetadot, ground, 1.0)
@@ -135,7 +135,7 @@ double friction(double theta, double thetadot, double ground) {
   return v > 0 ? h / v : std::numeric_limits<double>::infinity();
 }
 
-/// The least and the largest H/V while the pulse lasts; infinite where V <= 0.
+/// Returns the least and the largest H/V while the pulse lasts; infinity if V <= 0.
 std::pair<double, double> friction_range(const PulseCase& asked, double amplitude) {
   double least = std::numeric_limits<double>::infinity(), most = -least;
   for (const Sample& sample : samples_at(asked, amplitude)) {

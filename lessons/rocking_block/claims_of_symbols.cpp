@@ -145,7 +145,7 @@ Finding extends_71(Bench&, const Claim&) {
           {shown((left - without.left + without.right).expand())}};
 }
 
-/// A claim that says what its rows say.
+/// Decides a claim that says what its rows say.
 Finding by_rows(Bench& bench, const Claim& claim) {
   const auto is = [&](Verdict verdict) {
     return std::ranges::any_of(claim.rows,
@@ -158,10 +158,10 @@ Finding by_rows(Bench& bench, const Claim& claim) {
           {bench.say(claim.rows)}};
 }
 
-/// The rows do not settle it, or there is nothing in the paper from which it could be computed.
+/// Leaves a claim undecided: the rows do not settle it, or nothing in the paper allows to compute it.
 Finding beyond_the_rows(Bench& bench, const Claim& claim) { return {undecided, {bench.say(claim.rows)}}; }
 
-/// (42) has to hold θ̇₋ if the momentum before the impact is to come from it.
+/// Decides whether (42) contains θ̇₋, as it must if the momentum before the impact follows from it.
 Finding reference_to_42(Bench& bench, const Claim&) {
   const Row &used = bench.row("46a").row, &geometry = bench.row("42a").row, &momentum = bench.row("43b").row;
   return {decided(names_of(parse_relation(geometry.printed, paper().symbols)).contains("thetadot_minus")),

@@ -22,8 +22,8 @@ double least_amplitude(const PulseCase& asked) {
   return static_cast<double>(start_level(asked.block, asked.model)) * (1 + 1e-6);
 }
 
-/// How far the motion is above the threshold after exactly one impact, -1 if it has another number of them;
-/// continuous where that impact passes the end of the pulse.
+/// Returns how far the motion is above the threshold after exactly one impact, and -1 after another number of
+/// impacts. It is continuous where that impact passes the end of the pulse.
 double margin_after_one_impact(const PulseCase& asked, double amplitude) {
   const Outcome outcome = outcome_at(asked, amplitude);
   if (outcome.rests != 0 || outcome.lies || outcome.side == 0) return -1;
@@ -38,7 +38,7 @@ bool impact_in_pulse(const PulseCase& asked, double amplitude) {
   return outcome.rests != 0 || outcome.side >= 0 || outcome.impacts > (outcome.code == 2 ? 1 : 0);
 }
 
-/// The least amplitude without an impact before the pulse ends.
+/// Returns the least amplitude without an impact before the pulse ends.
 double amplitude_of_impact_at_end(const PulseCase& asked) {
   const auto with_impact = [&](double amplitude) { return impact_in_pulse(asked, amplitude); };
   double with = least_amplitude(asked), without = with;
@@ -47,7 +47,7 @@ double amplitude_of_impact_at_end(const PulseCase& asked) {
   return with < without ? change_between(with_impact, with, without).outside : without;
 }
 
-/// The amplitude of the largest margin: the best of a row, and the greatest beside it.
+/// Returns the amplitude with the largest margin: the best one of a grid, refined between its neighbours.
 double best_amplitude(const PulseCase& asked) {
   constexpr double factor = 1.02;
   const auto shortfall = [&](double amplitude) { return -margin_after_one_impact(asked, amplitude); };
@@ -58,7 +58,7 @@ double best_amplitude(const PulseCase& asked) {
   return least_between(shortfall, std::max(least, best / factor), best * factor);
 }
 
-/// The first omega_p/p at which the margin at `amplitude` falls to 0, walking up from the lowest.
+/// Returns the least omega_p/p at which the margin at `amplitude` falls to 0.
 std::optional<SpecialPoint> first_end(const PulseCase& asked,
                                       const std::function<double(const PulseCase&)>& amplitude) {
   const auto margin = [&](double ratio) {

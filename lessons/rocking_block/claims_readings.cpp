@@ -27,7 +27,7 @@ Reading with_value(const Shape& shape, double value) {
   return reading;
 }
 
-/// The blocks and models that the text may mean.
+/// Returns the blocks and models that the text may mean.
 std::vector<Shape> shapes(double omega_ratio, bool with_impact) {
   std::vector<Shape> list;
   for (const Model model : {Model::linear, Model::nonlinear})
