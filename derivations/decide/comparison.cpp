@@ -96,7 +96,7 @@ void translate(Comparison& setting, const Problem& problem) {
     for (const Atom& c : side->conditions)  // unless ranges and assumptions say it already
       if (!prove_signs(setting.ring, c.value, c.signs, !setting.ring.facts.empty()))
         setting.conditions.push_back(c);
-  setting.in_words = in_words(setting.conditions, setting.ring, problem.symbols);
+  setting.side_conditions = relations_of(setting.conditions, setting.ring, problem.symbols);
   for (int round = 0; round < 2 && !setting.conditions.empty(); ++round) {
     for (const Atom& c : setting.conditions) learn(setting, c.value, c.signs);
     translate_statements(setting, problem);

@@ -25,8 +25,8 @@ struct Comparison {
   Ring ring;  ///< its facts: the assumptions, and the conditions for values
   Translator translator;
   Translated left, right;
-  std::vector<Atom> conditions;       ///< not implied by ranges and assumptions
-  std::vector<std::string> in_words;  ///< the same: "x - 1 > 0", "cos(theta) != 0"
+  std::vector<Atom> conditions;           ///< not implied by ranges and assumptions
+  std::vector<Relation> side_conditions;  ///< the same: x - 1 > 0, cos(theta) != 0
 };
 
 /// Translates both statements into the ring, which must be empty. Then learns the conditions for their
@@ -57,9 +57,9 @@ std::optional<Sameness> same(Comparison& setting, const Problem& problem);
 /// solution may be lost. It does not see common zeros without a common factor, as of x and exp(x) - 1.
 bool hides_a_solution(const Comparison& setting);
 
-/// Returns the conditions in our syntax, "x - 1 > 0" or "cos(theta) != 0", each once and without factors of
-/// known sign; x >= 0 and x != 0 become x > 0.
-std::vector<std::string> in_words(const std::vector<Atom>& conditions, const Ring& ring,
-                                  const Symbols& symbols);
+/// Returns the conditions as relations, x - 1 > 0 or cos(theta) != 0, each once and without factors of known
+/// sign; x >= 0 and x != 0 become x > 0.
+std::vector<Relation> relations_of(const std::vector<Atom>& conditions, const Ring& ring,
+                                   const Symbols& symbols);
 
 }  // namespace rederive

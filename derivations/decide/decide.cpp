@@ -25,7 +25,7 @@ Proof refuted(const Witness& witness, const char* reason, const char* by) {
 
 Proof proved(const Comparison& setting, const Sameness& found) {
   const bool is_expression = setting.left.atoms.empty();
-  Proof proof{.verdict = Verdict::proved, .side_conditions = setting.in_words, .by = found.by};
+  Proof proof{.verdict = Verdict::proved, .side_conditions = setting.side_conditions, .by = found.by};
   proof.certificate = found.certificate;
   if (found.factor) proof.factor = setting.text_of(*found.factor);
   if (is_expression && found.by == "identity") proof.factor = "1";

@@ -1,4 +1,4 @@
-// Puts the conditions under which statements have values into our syntax.
+// Writes the conditions under which statements have values as relations between symbols.
 #include <algorithm>
 #include <derivations/decide/comparison.hpp>
 #include <derivations/language/lower.hpp>
@@ -11,8 +11,7 @@ namespace rederive {
 namespace {
 
 bool has_symbols_only(const Ring& ring, const Polynomial& p) {
-  const auto used = p.used();
-  return std::ranges::all_of(used, [&](int k) { return ring.generators()[k].function.empty(); });
+  return std::ranges::all_of(p.used(), [&](int k) { return ring.generators()[k].function.empty(); });
 }
 
 /// Appends the factors of a divisor as it is written.
@@ -93,16 +92,17 @@ std::vector<Atom> independent(const std::vector<Atom>& conditions, const Ring& r
 
 }  // namespace
 
-std::vector<std::string> in_words(const std::vector<Atom>& conditions, const Ring& ring,
-                                  const Symbols& symbols) {
-  std::vector<std::string> words;
+std::vector<Relation> relations_of(const std::vector<Atom>& conditions, const Ring& ring,
+                                   const Symbols& symbols) {
+  std::vector<Relation> relations;
+  std::set<std::string> said;
   const auto say = [&](const GiNaC::ex& value, Signs signs) {
-    const std::string word =
-        print(value, Notation::plain, symbols) + (signs == Signs::nonzero()       ? " != 0"
-                                                  : signs == Signs::nonnegative() ? " >= 0"
-                                                  : signs == Signs::positive()    ? " > 0"
-                                                                                  : " < 0");
-    if (std::ranges::find(words, word) == words.end()) words.push_back(word);
+    const std::string op = signs == Signs::nonzero()       ? "!="
+                           : signs == Signs::nonnegative() ? ">="
+                           : signs == Signs::positive()    ? ">"
+                                                           : "<";
+    const Relation relation{{to_tree(value, symbols), zero()}, {op}};
+    if (said.insert(print(relation)).second) relations.push_back(relation);
   };
   for (const Atom& c : independent(conditions, ring))
     if (has_symbols_only(ring, c.value.numerator * c.value.denominator))
@@ -111,7 +111,7 @@ std::vector<std::string> in_words(const std::vector<Atom>& conditions, const Rin
       say_divisors(c.tree, symbols, say);
     else
       say(lower(c.tree, symbols), c.signs);
-  return words;
+  return relations;
 }
 
 }  // namespace rederive

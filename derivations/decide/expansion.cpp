@@ -267,7 +267,7 @@ Proof decide_to_order(const Relation& left, const Relation& right, const std::ve
     if (proof.verdict == Verdict::proved || proof.verdict == Verdict::proved_under) {
       proof.verdict = Verdict::approximation, proof.by = "expansion";
       proof.reason = "the series in the small symbols are the same up to this order";
-      for (std::string& condition : in_words(expansion->conditions, known.ring, symbols))
+      for (Relation& condition : relations_of(expansion->conditions, known.ring, symbols))
         proof.side_conditions.push_back(std::move(condition));
     } else if (proof.verdict == Verdict::refuted && ties(problem.assumptions, small)) {
       proof = {.reason =

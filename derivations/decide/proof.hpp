@@ -1,10 +1,10 @@
 // A verdict, with the data from which a proof is written: factors, divisors, a certificate (Stengle 1974).
 #pragma once
 
+#include <derivations/language/tree.hpp>
 #include <map>
 #include <optional>
 #include <string>
-#include <vector>
 
 namespace rederive {
 
@@ -28,9 +28,9 @@ struct Witness {
 struct Proof {
   Verdict verdict = Verdict::undecided;
   std::string factor = {};  ///< left = factor * right, for relations; empty if there is none
-  std::vector<std::string> side_conditions = {};  ///< "w != 0", in our syntax
-  std::optional<Witness> witness = {};            ///< if refuted, and only then
-  std::string reason = {};                        ///< one line for a reader; says why, if undecided
+  std::vector<Relation> side_conditions = {};  ///< w != 0
+  std::optional<Witness> witness = {};         ///< if refuted, and only then
+  std::string reason = {};                     ///< one line for a reader; says why, if undecided
   std::string by = {};  ///< "identity", "sign", "points", "expansion"; empty if undecided
   /// For "sign", identities such as "2*(x)*(y - 1) + 1*(z) = 0" in which no product would be negative and one
   /// positive if the claim were false; "… where u >= 0" limits the case. Empty if ranges alone suffice.

@@ -14,7 +14,7 @@ namespace {
 /// A question with its side conditions among the assumptions, and its parts in Coq.
 struct Statement {
   Statement(const Question& question, const Proof& proof) : q(question) {
-    for (const std::string& c : proof.side_conditions) q.assumptions.push_back(read_assumption(c, q.symbols));
+    q.assumptions.insert(q.assumptions.end(), proof.side_conditions.begin(), proof.side_conditions.end());
     trees = trees_of({q.left, q.right, {}, q.symbols});
     for (const Given& g : q.given) {
       trees.push_back(to_tree(g.value, q.symbols));

@@ -28,9 +28,11 @@ std::string dimension_word(const Entry& entry) {
 
 Json to_json(const Proof& proof) {
   const Json witness = proof.witness ? to_json(*proof.witness) : Json();
-  return {{"verdict", to_string(proof.verdict)},      {"factor", or_null(proof.factor)},
-          {"side_conditions", proof.side_conditions}, {"witness", witness},
-          {"reason", or_null(proof.reason)},          {"by", or_null(proof.by)},
+  Json conditions = Json::array();
+  for (const Relation& condition : proof.side_conditions) conditions.push_back(print(condition));
+  return {{"verdict", to_string(proof.verdict)}, {"factor", or_null(proof.factor)},
+          {"side_conditions", conditions},       {"witness", witness},
+          {"reason", or_null(proof.reason)},     {"by", or_null(proof.by)},
           {"certificate", proof.certificate}};
 }
 

@@ -132,33 +132,34 @@ Proof decide_once(const Question& q, const ProveRequest& request) {
   return proof;
 }
 
-/// "b < h" as it is said: 0 < x is x > 0.
-std::string in_words(const Relation& link, const Symbols& symbols) {
-  const auto text = [&](std::size_t k) {
-    return print(lower(link.sides[k], symbols), Notation::plain, symbols);
-  };
+/// Returns the link as a reader writes it: 0 < x is x > 0, and a != b is a - b != 0.
+Relation for_a_reader(const Relation& link, const Symbols& symbols) {
+  const auto side = [&](std::size_t k) { return to_tree(lower(link.sides[k], symbols), symbols); };
   std::string op = link.operators[0];
   const bool turn =
       op != "=" && link.sides[1]->kind == Node::Kind::symbol && link.sides[0]->kind != Node::Kind::symbol;
   if (op == "!=")
-    return print(lower(difference(link.sides[0], link.sides[1]), symbols), Notation::plain, symbols) +
-           " != 0";
+    return {{to_tree(lower(difference(link.sides[0], link.sides[1]), symbols), symbols), zero()}, {op}};
   if (turn) op[0] = op[0] == '<' ? '>' : '<';
-  return text(turn ? 1 : 0) + " " + op + " " + text(turn ? 0 : 1);
+  return {{side(turn ? 1 : 0), side(turn ? 0 : 1)}, {op}};
+}
+
+bool has_condition(const Proof& proof, const Relation& condition) {
+  return std::ranges::any_of(proof.side_conditions,
+                             [&](const Relation& other) { return print(other) == print(condition); });
 }
 
 /// The assumed inequalities without which the proof does not go through, or needs another condition in their
 /// place, and the declared ranges without which it does not go through.
-std::vector<std::string> conditions_used(Question q, const ProveRequest& request, const Proof& proof) {
+std::vector<Relation> conditions_used(Question q, const ProveRequest& request, const Proof& proof) {
   constexpr std::size_t most = 10;
-  std::vector<std::string> used;
+  std::vector<Relation> used;
   const auto holds_too = [&](const Question& other, std::size_t& tried) {
     if (tried++ >= most) return false;
     const Proof again = decide_once(other, request);
     return again.verdict == proof.verdict &&
-           std::ranges::all_of(again.side_conditions, [&](const std::string& condition) {
-             return std::ranges::count(proof.side_conditions, condition) > 0;
-           });
+           std::ranges::all_of(again.side_conditions,
+                               [&](const Relation& condition) { return has_condition(proof, condition); });
   };
   std::vector<Relation> links;
   for (const Relation& a : q.assumptions)
@@ -175,7 +176,7 @@ std::vector<std::string> conditions_used(Question q, const ProveRequest& request
       q = std::move(other);
       continue;
     }
-    used.push_back(in_words(q.assumptions[k], q.symbols)), ++k;
+    used.push_back(for_a_reader(q.assumptions[k], q.symbols)), ++k;
   }
   std::set<std::string> names = names_of(q.left);
   names.merge(names_of(q.right));
@@ -191,8 +192,11 @@ std::vector<std::string> conditions_used(Question q, const ProveRequest& request
       continue;
     }
     const Range ends = read_range(range);
-    if (ends.lower != "-inf") used.push_back(name + (ends.lower_closed ? " >= " : " > ") + ends.lower);
-    if (ends.upper != "inf") used.push_back(name + (ends.upper_closed ? " <= " : " < ") + ends.upper);
+    const auto end = [&](const char* op, const std::string& value) {
+      used.push_back({{parse(name, q.symbols), parse(value, q.symbols)}, {op}});
+    };
+    if (ends.lower != "-inf") end(ends.lower_closed ? ">=" : ">", ends.lower);
+    if (ends.upper != "inf") end(ends.upper_closed ? "<=" : "<", ends.upper);
   }
   return used;
 }
@@ -222,10 +226,8 @@ Proof decide(const Paper& paper, const ProveRequest& request) {
   check_order(request, question);
   Proof proof = decide_once(question, request);
   if (proof.verdict == Verdict::refuted || proof.verdict == Verdict::undecided) return proof;
-  for (const std::string& condition : conditions_used(question, request, proof))
-    if (std::find(proof.side_conditions.begin(), proof.side_conditions.end(), condition) ==
-        proof.side_conditions.end())
-      proof.side_conditions.push_back(condition);
+  for (const Relation& condition : conditions_used(question, request, proof))
+    if (!has_condition(proof, condition)) proof.side_conditions.push_back(condition);
   return proof;
 }
 

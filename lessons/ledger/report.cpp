@@ -73,7 +73,8 @@ std::string ledger_page(const Entry& entry, const Symbols& symbols, bool colour)
            (to_string(entry.proof.verdict) == row.expected ? "" : "   (expected: " + row.expected + ")"));
   line("because", entry.proof.reason);
   if (entry.proof.factor != "1") line("factor", entry.proof.factor);
-  line("side conditions", joined(entry.proof.side_conditions, ", "));
+  line("side conditions",
+       joined(entry.proof.side_conditions, ", ", [](const Relation& r) { return print(r); }));
   if (entry.derivation) {
     line("assumption", entry.derivation->assumption);
     if (entry.derivation->order > 0)

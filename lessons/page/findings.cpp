@@ -45,11 +45,10 @@ std::string witness_sentence(const Witness& witness) {
                      differ ? printed : witness.printed, differ ? derived : witness.derived);
 }
 
-/// "w != 0" → "$w$ ≠ 0"; a condition in another form stays as it is.
-std::string condition_text(const std::string& condition) {
-  const std::size_t sign = condition.find(" != ");
-  if (sign == std::string::npos) return "$" + condition + "$";
-  return "$" + condition.substr(0, sign) + "$ ≠ $" + condition.substr(sign + 4) + "$";
+/// w != 0 → "$w$ ≠ $0$", because the notation of formulas has no ≠; w > 0 → "$w > 0$".
+std::string condition_text(const Relation& condition) {
+  if (condition.operators[0] != "!=") return "$" + print(condition) + "$";
+  return "$" + print(condition.sides[0]) + "$ ≠ $" + print(condition.sides[1]) + "$";
 }
 
 }  // namespace
