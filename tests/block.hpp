@@ -70,16 +70,14 @@ inline std::string emit(const std::vector<EmittedFunction>& functions, Target ta
   return emit({rocking_block::emission_symbols(), functions, steppers}, target, sharing);
 }
 inline std::optional<Lemma> lemma_of(const Entry& entry) { return lemma_of(rocking_block::paper(), entry); }
-/// "Thresholds.v" and the other files of theorems about the paper.
-inline const std::vector<std::string>& theorem_files() {
-  static const std::vector<std::string> names = [] {
-    std::vector<std::string> result;
-    for (const Theorems::File& file : rocking_block::paper().theorems.files) result.push_back(file.name);
-    return result;
-  }();
-  return names;
+/// The theorems of Coq about the paper.
+inline const Theorems& theorems() {
+  static const Theorems all = theorems_of(rocking_block::paper());
+  return all;
 }
-inline std::vector<Lemma> shipped_theorems() { return shipped_theorems(rocking_block::paper()); }
+inline std::string theorem_file(const std::string& file) {
+  return theorem_file(rocking_block::paper(), file);
+}
 inline void write_scripts(const std::filesystem::path& folder, const std::vector<Lemma>& lemmas,
                           const std::map<std::string, std::string>& more = {}) {
   write_scripts(rocking_block::paper(), folder, lemmas, more);

@@ -1,10 +1,12 @@
+#include <array>
 #include <cctype>
 #include <derivations/kernel/lemma.hpp>
+#include <derivations/kernel/row_text.hpp>
 #include <derivations/kernel/scripts.hpp>
 #include <derivations/paper/prove.hpp>
 #include <derivations/program/data_folder.hpp>
 #include <derivations/program/program.hpp>
-#include <regex>
+#include <derivations/program/toml_table.hpp>
 
 namespace rederive {
 
@@ -23,12 +25,45 @@ std::string comment(const Entry& entry) {
   return text + ". *)\n";
 }
 
+/// Returns the theorems of one file of the list.
+std::vector<Lemma> read_theorems(TomlTable& table, const std::string& file) {
+  std::vector<Lemma> result;
+  for (TomlTable& one : table.tables("theorems")) {
+    Lemma theorem{.id = "", .file = file, .name = one.needed_line("name"), .ships = true};
+    one.call_it("theorem " + theorem.name);
+    std::vector<std::string> about;
+    for (const Lemma::Kind kind :
+         {Lemma::Kind::derivation, Lemma::Kind::instance, Lemma::Kind::threshold, Lemma::Kind::claim})
+      if (const auto ids = one.lines(to_string(kind)); !ids.empty()) theorem.kind = kind, about = ids;
+    theorem.from = one.lines("from");
+    one.done();
+    if (about.empty()) one.fail("one of 'derivation', 'instance', 'threshold' and 'claim' must name a row");
+    theorem.id = about[0];
+    if (theorem.kind == Lemma::Kind::derivation) theorem.derives = about;
+    result.push_back(std::move(theorem));
+  }
+  return result;
+}
+
+/// Returns the place of a theorem in the text of its file: the newline before it. Throws std::runtime_error.
+std::size_t place_of(const Lemma& theorem, const std::string& text) {
+  const std::string start = "\nTheorem " + theorem.name;
+  for (std::size_t at = text.find(start); at != std::string::npos; at = text.find(start, at + 1))
+    if (const char next = text[at + start.size()]; next == ' ' || next == '\n') return at;
+  throw std::runtime_error(theorem.file + " does not contain the theorem " + theorem.name);
+}
+
 constexpr const char* makefile =
     "all: CoqMakefile ; $(MAKE) -f CoqMakefile\n"
     "CoqMakefile: _CoqProject ; coq_makefile -f _CoqProject -o CoqMakefile\n"
     ".PHONY: all\n";
 
 }  // namespace
+
+std::string to_string(Lemma::Kind kind) {
+  static constexpr std::array names{"row", "refutation", "derivation", "instance", "threshold", "claim"};
+  return names.at(static_cast<std::size_t>(kind));
+}
 
 std::string lemma_name(const std::string& kind, std::string id) {
   for (char& c : id)
@@ -40,9 +75,8 @@ std::optional<Lemma> lemma_of(const Paper& paper, const Entry& entry) {
   const bool is_error = entry.proof.verdict == Verdict::error;
   if ((!entry.derivation && !is_error) || entry.proof.verdict == Verdict::definition) return std::nullopt;
   const bool is_refuted = entry.proof.verdict == Verdict::refuted;
-  Lemma result{
-      .id = entry.row.id, .file = "Ledger.v", .name = lemma_name("equation", entry.row.id), .kind = "row"};
-  if (is_refuted) result.name += "_refuted", result.kind = "refutation";
+  Lemma result{.id = entry.row.id, .file = "Ledger.v", .name = lemma_name("equation", entry.row.id)};
+  if (is_refuted) result.name += "_refuted", result.kind = Lemma::Kind::refutation;
   try {
     if (is_error) throw Undecidable(entry.proof.reason);
     const Symbols symbols = symbols_in(paper, entry.row.domain);
@@ -64,32 +98,34 @@ std::string shipped(const std::string& name) {
                            "; XDG_DATA_DIRS may name the folder share of an installation");
 }
 
-std::vector<std::string> prelude_of(const Paper& paper) {
-  std::vector<std::string> files{"Rederive.v", "Intervals.v", "Bounds.v"};
-  files.insert(files.end(), paper.theorems.prelude.begin(), paper.theorems.prelude.end());
-  return files;
-}
-
-std::vector<Lemma> shipped_theorems(const Paper& paper) {
-  static const std::regex theorem("\nTheorem ((derivation|instance|claim)_([^_ ]+)\\w*|\\w+)");
-  std::vector<Lemma> result;
-  for (const auto& [file, row] : paper.theorems.files) {
-    const std::string text = shipped(file);
-    for (std::sregex_iterator found(text.begin(), text.end(), theorem), end; found != end; ++found) {
-      const bool has_id = (*found)[2].matched;
-      result.push_back({.id = has_id ? (*found)[3].str() : row,
-                        .file = file,
-                        .name = (*found)[1],
-                        .kind = has_id ? (*found)[2].str() : "threshold",
-                        .ships = true});
-    }
+Theorems theorems_of(const Paper& paper) {
+  Theorems result{.prelude = {"Rederive.v", "Intervals.v", "Bounds.v"}, .assumptions = {}};
+  if (paper.theorems.empty()) return result;
+  TomlTable list(data_folder() / "kernel" / paper.theorems);
+  for (const std::string& file : list.lines("prelude")) result.prelude.push_back(file);
+  result.functions_of_time = list.lines("functions_of_time");
+  result.assumptions = list.named_texts("assumptions");
+  for (TomlTable& table : list.tables("file")) {
+    const std::string& file = result.files.emplace_back(table.needed_line("name"));
+    for (Lemma& theorem : read_theorems(table, file)) result.lemmas.push_back(std::move(theorem));
+    table.done();
   }
+  list.done();
   return result;
 }
 
-std::string text_of(const Lemma& theorem) {
-  const std::string text = shipped(theorem.file);
-  const auto at = text.find("\nTheorem " + theorem.name), before = text.rfind("Qed.\n", at),
+std::string theorem_file(const Paper& paper, const std::string& file) {
+  const Theorems theorems = theorems_of(paper);
+  std::string text = with_rows(paper, theorems.functions_of_time, shipped(file));
+  for (const Lemma& theorem : theorems.lemmas)
+    if (theorem.file == file && !theorem.from.empty())
+      text.insert(place_of(theorem, text), fmt::format("\n(* from {} *)", fmt::join(theorem.from, ", ")));
+  return text;
+}
+
+std::string text_of(const Paper& paper, const Lemma& theorem) {
+  const std::string text = theorem_file(paper, theorem.file);
+  const auto at = place_of(theorem, text), before = text.rfind("Qed.\n", at),
              start = text.find_first_not_of('\n', before == std::string::npos ? 0 : before + 5);
   return text.substr(start, text.find("Qed.\n", at) + 5 - start);
 }
@@ -97,11 +133,14 @@ std::string text_of(const Lemma& theorem) {
 std::map<std::string, std::string> files_of(const Paper& paper, const std::vector<Lemma>& lemmas) {
   std::map<std::string, std::string> files;
   std::string project = "-R . Rederive\n";
-  for (const std::string& name : prelude_of(paper)) files[name] = shipped(name), project += name + "\n";
+  for (const std::string& name : theorems_of(paper).prelude)
+    files[name] = shipped(name), project += name + "\n";
   for (const Lemma& lemma : lemmas) {
-    const auto [place, is_new] = files.try_emplace(lemma.file, lemma.ships ? shipped(lemma.file) : imports);
-    if (is_new) project += lemma.file + "\n";
-    if (!lemma.text.empty()) place->second += "\n" + lemma.text;
+    if (!files.contains(lemma.file)) {
+      files[lemma.file] = lemma.ships ? theorem_file(paper, lemma.file) : imports;
+      project += lemma.file + "\n";
+    }
+    if (!lemma.text.empty()) files[lemma.file] += "\n" + lemma.text;
   }
   files["_CoqProject"] = project, files["Makefile"] = makefile;
   return files;

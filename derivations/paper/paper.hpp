@@ -16,18 +16,6 @@
 
 namespace rederive {
 
-/// The Coq theorems about a paper, in files that ship with the project.
-struct Theorems {
-  struct File {
-    std::string name;      ///< "Thresholds.v"
-    std::string row = {};  ///< the row of those theorems whose names do not name one
-  };
-  std::vector<std::string> prelude = {};  ///< files that the theorems need beside those of the kernel
-  std::vector<File> files = {};           ///< in the order in which they compile
-  /// The assumptions of theorems that are not rows of the ledger: a name and a sentence for each.
-  std::map<std::string, std::string> assumptions = {};
-};
-
 /// One paper: its symbols, its printed rows and its derivations. A `Paper` is a value, and a program may hold
 /// several.
 struct Paper {
@@ -43,7 +31,8 @@ struct Paper {
   std::map<std::string, std::string> look_alikes = {};
   /// Whether the sentences of its steps and rows typeset names of symbols as mathematics without $…$.
   bool has_names_in_words = false;
-  Theorems theorems = {};
+  /// The list of the Coq theorems about it, a file among the scripts that ship; empty if there are none.
+  std::string theorems = {};
   Emission (*emission)() = nullptr;  ///< its numeric functions; nullptr if it has none
   /// The source file in which `Paper{…}` is written, with braces. A relative `equations` is searched beside
   /// it.

@@ -29,30 +29,6 @@ Derivations all_derivations() {
   return rows;
 }
 
-Theorems theorems() {
-  return {.prelude = {"Solutions.v", "Limits.v"},
-          .files = {{"Initiation.v", "88"},
-                    {"Derivations.v", "88"},
-                    {"Impact.v", "88"},
-                    {"Responses.v", "88"},
-                    {"Critical.v", "88"},
-                    {"Instances.v", "88"},
-                    {"Claims.v", "88"},
-                    {"Thresholds.v", "71"},
-                    {"ImpactInPulse.v", "88"},
-                    {"AfterImpact.v", "88"},
-                    {"OneImpact.v", "88"}},
-          .assumptions = {
-              {"newton", "H and V are what accelerates the centre of mass: H = m ü_c, V - m g = m ÿ_c"},
-              {"euler", "the moment of H and V about the centre of mass is J_c θ̈"},
-              {"rotation", "the block is rigid, and turns about its corner: the positions of its points"},
-              {"linearised",
-               "(56), (97), (u21) and (u29) are taken as exact; theorems bound what that leaves out"},
-              {"criterion",
-               "overturning at the least amplitude: the motion comes to rest at the corner, after all time"},
-              {"rest", "before the pulse the block stands: θ = 0, θ̇ = 0"}}};
-}
-
 Paper make_paper() {
   Paper paper{.title = "On the Overturning Instability of a Rectangular Rigid Block Under Ground Excitation",
               .equations = data_folder() / "equations.toml",
@@ -71,7 +47,7 @@ Paper make_paper() {
                               {"x", "y"},
                               {"y", "x"}},
               .has_names_in_words = true,
-              .theorems = theorems(),
+              .theorems = "theorems.toml",
               .emission = emission,
               .source = ""};  // its rows are in the data folder; a path here would name the building machine
   paper.declare(all_symbols());

@@ -33,7 +33,7 @@ std::vector<Lemma> lemmas_of(const Paper& paper, const std::vector<Entry>& entri
   for (auto* more : {&corrections_of, &steps_of})
     for (Lemma& lemma : more(paper, entries, is_wanted)) lemmas.push_back(std::move(lemma));
   if (ids.empty())
-    for (Lemma& theorem : shipped_theorems(paper)) lemmas.push_back(std::move(theorem));
+    for (Lemma& theorem : theorems_of(paper).lemmas) lemmas.push_back(std::move(theorem));
   return lemmas;
 }
 
@@ -43,9 +43,8 @@ std::string first_error(const std::string& output) {
   return start == std::string::npos ? "" : output.substr(start, output.find('\n', start) - start);
 }
 
-int count(const std::vector<Lemma>& lemmas, const std::string& kind) {
-  return static_cast<int>(
-      std::count_if(lemmas.begin(), lemmas.end(), [&](auto& l) { return l.kind == kind; }));
+int count(const std::vector<Lemma>& lemmas, Lemma::Kind kind) {
+  return static_cast<int>(std::ranges::count(lemmas, kind, &Lemma::kind));
 }
 
 /// The scripts, and with all rows the page of what rests on what.
@@ -68,7 +67,7 @@ int report(const std::vector<Lemma>& lemmas, const std::vector<Checked>& checked
     list.push_back({{"id", lemma.id},
                     {"file", lemma.file},
                     {"name", lemma.name},
-                    {"kind", lemma.kind},
+                    {"kind", to_string(lemma.kind)},
                     {"passed", found.passed},
                     {"axioms", found.axioms}});
     if (is_skipped(lemma)) list.back()["skipped"] = lemma.why, ++skipped;
@@ -82,9 +81,9 @@ int report(const std::vector<Lemma>& lemmas, const std::vector<Checked>& checked
   }
   const int failed = static_cast<int>(lemmas.size()) - passed - skipped;
   if (json) {
-    const Json counts{{"rows", count(lemmas, "row")},
-                      {"refutations", count(lemmas, "refutation")},
-                      {"derivations", count(lemmas, "derivation")},
+    const Json counts{{"rows", count(lemmas, Lemma::Kind::row)},
+                      {"refutations", count(lemmas, Lemma::Kind::refutation)},
+                      {"derivations", count(lemmas, Lemma::Kind::derivation)},
                       {"rest_wholly_on_theorems", whole(supports)},
                       {"passed", passed},
                       {"failed", failed},
@@ -148,27 +147,35 @@ std::string lemma_page(const Paper& paper, const Entry& entry) {
 
 int write_certificate(const Paper& paper, const ProveRequest& request, const std::string& file) {
   const std::string library = shipped("Rederive.v");
-  const auto work = [&]() -> std::string {
+  const auto work = [&]() -> std::string {  // the script, or why there is none
+    Json answer;
     try {
       const Proof proof = decide(paper, request);
       const Problem problem = problem_of(paper, request);
       const bool is_proved = proof.verdict == Verdict::proved || proof.verdict == Verdict::proved_under;
-      if (!is_proved) return "N" + to_string(proof.verdict) + ": there is no certificate";
-      if (proof.by != "identity") return "Nthere is no script for a proof by " + proof.by;
       const Question question{problem.left, problem.right, problem.symbols, {}, problem.assumptions};
-      return "J" + library + "\n" + lemma("proved", question, proof);
+      if (!is_proved)
+        answer["refused"] = to_string(proof.verdict) + ": there is no certificate";
+      else if (proof.by != "identity")
+        answer["refused"] = "there is no script for a proof by " + proof.by;
+      else
+        answer["script"] = library + "\n" + lemma("proved", question, proof);
     } catch (const BadInput& error) {
-      return std::string("B") + error.what();
+      answer["bad_input"] = error.what();
     } catch (const Undecidable& error) {
-      return std::string("Nthis proof is by identity, but ") + error.what();
+      answer["refused"] = std::string("this proof is by identity, but ") + error.what();
     }
+    return answer.dump();
   };
   const Bounded outcome = run_bounded(work, 4, 480);
   if (!outcome.result) throw std::runtime_error("the proof was given up: " + outcome.why);
-  const std::string text = outcome.result->substr(1);
-  if (outcome.result->front() == 'B') throw BadInput(text);
-  if (outcome.result->front() == 'N') return std::fprintf(stderr, "%s\n", text.c_str()), undecided_or_failed;
-  write_whole(file, text);
+  const Json answer = Json::parse(*outcome.result);
+  if (answer.contains("bad_input")) throw BadInput(answer["bad_input"].get<std::string>());
+  if (answer.contains("refused")) {
+    std::fprintf(stderr, "%s\n", answer["refused"].get<std::string>().c_str());
+    return undecided_or_failed;
+  }
+  write_whole(file, answer["script"].get<std::string>());
   return as_expected;
 }
 

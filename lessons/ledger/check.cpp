@@ -129,7 +129,8 @@ std::vector<Checked> check(const Paper& paper, const std::vector<Lemma>& lemmas,
                            const std::function<void(const std::string&)>& progress) {
   const Folder folder;
   write_scripts(paper, folder.path, lemmas);
-  for (const std::string& name : prelude_of(paper)) {
+  const Theorems theorems = theorems_of(paper);
+  for (const std::string& name : theorems.prelude) {
     progress(name);
     if (const Said run = compile(folder, name); run.status != 0)
       throw std::runtime_error("coqc refuses " + name +
@@ -141,8 +142,7 @@ std::vector<Checked> check(const Paper& paper, const std::vector<Lemma>& lemmas,
   for (const Lemma& lemma : lemmas)
     if (!is_skipped(lemma)) by_file[lemma.file].push_back(&lemma);
   // Theorems may rest on those of the files before theirs.
-  std::vector<std::string> files;
-  for (const Theorems::File& file : paper.theorems.files) files.push_back(file.name);
+  std::vector<std::string> files = theorems.files;
   for (const auto& [file, all] : by_file)
     if (!all.front()->ships) files.push_back(file);
   for (const std::string& file : files) {

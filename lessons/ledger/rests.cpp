@@ -3,42 +3,13 @@
 #include <algorithm>
 #include <lessons/ledger/rests.hpp>
 #include <lessons/page/prose.hpp>
-#include <regex>
 #include <set>
-#include <sstream>
 
 namespace rederive {
 
 namespace {
 
 using By = Support::By;
-
-/// The rows that a lemma is about: derivation_8_18 is about 8 and 18, a step about its own.
-std::vector<std::string> rows_of(const Lemma& lemma) {
-  if (lemma.name.starts_with("step_")) return {lemma.id};
-  const auto at = lemma.name.find('_');
-  if (!lemma.name.starts_with("derivation_")) return {};
-  std::vector<std::string> rows;
-  std::istringstream parts(lemma.name.substr(at + 1));
-  for (std::string part; std::getline(parts, part, '_');) rows.push_back(part);
-  return rows;
-}
-
-/// What stands before the theorems of our files: (* from 25b, newton *).
-std::map<std::string, std::vector<std::string>> premises(const Theorems& theorems) {
-  static const std::regex theorem("\\(\\* from ([^*]*) \\*\\)\nTheorem (\\w+)"), id("[^, ]+");
-  std::map<std::string, std::vector<std::string>> result;
-  const std::sregex_iterator end;
-  for (const Theorems::File& file : theorems.files) {
-    const std::string text = shipped(file.name);
-    for (std::sregex_iterator found(text.begin(), text.end(), theorem); found != end; ++found) {
-      const std::string ids = (*found)[1];
-      for (std::sregex_iterator k(ids.begin(), ids.end(), id); k != end; ++k)
-        result[(*found)[2]].push_back(k->str());
-    }
-  }
-  return result;
-}
 
 std::map<std::string, std::size_t> places_of(const std::vector<Support>& supports) {
   std::map<std::string, std::size_t> places;
@@ -50,31 +21,33 @@ std::map<std::string, std::size_t> places_of(const std::vector<Support>& support
 
 std::vector<Support> supports_of(const Paper& paper, const std::vector<Entry>& entries,
                                  const std::vector<Lemma>& lemmas) {
-  std::map<std::string, std::vector<std::string>> theorems, steps, before = premises(paper.theorems);
+  std::map<std::string, std::vector<const Lemma*>> theorems, steps;  // of each row
   std::set<std::string> names;
   for (const Lemma& lemma : lemmas)
-    for (const std::string& row : rows_of(lemma)) (lemma.ships ? theorems : steps)[row].push_back(lemma.name);
+    for (const std::string& row : lemma.derives) (lemma.ships ? theorems : steps)[row].push_back(&lemma);
   std::vector<Support> supports;
   for (const Entry& entry : entries) {
     const std::string& id = entry.row.id;
     Support s{id, By::nothing, {}, entry.row.follows_from, entry.proof.verdict == Verdict::refuted};
     const bool is_definition = entry.proof.verdict == Verdict::definition;
     if (theorems.contains(id)) {
-      s.by = By::theorem, s.lemmas = theorems[id], s.from.clear();
-      for (const std::string& lemma : s.lemmas)
-        for (const std::string& from : before[lemma])
+      s.by = By::theorem, s.from.clear();
+      for (const Lemma* theorem : theorems[id])
+        for (const std::string& from : theorem->from)
           if (std::ranges::count(s.from, from) == 0) s.from.push_back(from);
     } else if (steps.contains(id)) {
-      s.by = By::step, s.lemmas = steps[id];
+      s.by = By::step;
     } else if (is_definition || s.from.empty()) {
       s.by = By::hypothesis;
     }
+    for (const Lemma* lemma : s.by == By::theorem ? theorems[id] : steps[id]) s.lemmas.push_back(lemma->name);
     for (const std::string& from : s.from)
       if (std::ranges::none_of(entries, [&](auto& e) { return e.row.id == from; })) names.insert(from);
     supports.push_back(std::move(s));
   }
+  const auto assumptions = theorems_of(paper).assumptions;
   for (const std::string& name : names)
-    supports.push_back({name, By::name, {paper.theorems.assumptions.at(name)}, {}, false});
+    supports.push_back({name, By::name, {assumptions.at(name)}, {}, false});
   // A row may stand before one that it follows from: until nothing changes.
   const auto places = places_of(supports);
   for (bool has_changed = true; has_changed;) {

@@ -322,7 +322,7 @@ int run_ledger(const std::function<Paper()>& paper, int argc, char** argv,
              write_certificate(options.paper, options.request, options.certificate);
     if (*proving) return show_proof(options);
     options.scripts.json = options.json;
-    if (*certifying && options.paper.theorems.files.empty() && options.scripts.ids.empty())
+    if (*certifying && options.paper.theorems.empty() && options.scripts.ids.empty())
       for (const Row& row : rows_of(options.paper)) options.scripts.ids.push_back(row.id);
     if (*certifying) return certify(options.paper, all(options), options.scripts);
     if (*dot) return put(graph(all(options))), as_expected;

@@ -98,10 +98,10 @@ std::vector<Lemma> steps_of(const Paper& paper, const std::vector<Entry>& entrie
         result.push_back({.id = entry.row.id,
                           .file = "Steps.v",
                           .name = lemma_name("step", entry.row.id),
-                          .kind = "derivation",
+                          .kind = Lemma::Kind::derivation,
                           .text = "(* (" + entry.row.id + ") from " + numbers + ". *)\n" +
                                   lemma(lemma_name("step", entry.row.id), *question, {}),
-                          .why = ""});
+                          .derives = {entry.row.id}});
     } catch (const Undecidable&) {  // a power or a function for which Coq's text is not known
     }
   }
@@ -117,7 +117,7 @@ std::vector<Lemma> corrections_of(const Paper& paper, const std::vector<Entry>& 
     Lemma corrected{.id = entry.row.id,
                     .file = "Ledger.v",
                     .name = lemma_name("equation", entry.row.id) + "_corrected",
-                    .kind = "derivation"};
+                    .kind = Lemma::Kind::derivation};
     try {
       const Question question =
           with_domain({parse_statement(entry.correction, symbols),

@@ -161,9 +161,9 @@ void Page::compare(const Relation& left, const Relation& right) {
 }
 
 void Page::lemma(const std::string& id) {
-  for (const Lemma& theorem : shipped_theorems(paper_))
+  for (const Lemma& theorem : theorems_of(paper_).lemmas)
     if (theorem.name == id)
-      return void(blocks_.push_back(Theorem{theorem.id, text_of(theorem),
+      return void(blocks_.push_back(Theorem{theorem.id, text_of(paper_, theorem),
                                             "`" + id + "` in `derivations/kernel/" + theorem.file + "`"}));
   const auto found = lemma_of(paper_, judged(paper_, id));
   if (!found || found->text.empty())

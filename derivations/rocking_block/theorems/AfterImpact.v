@@ -61,6 +61,14 @@ Definition goes_on p psi (u : R -> R) t_i (y v : R -> R) :=
   (forall t, t_i < t < T_ex (3 * p) psi -> is_derive v t
     (p ^ 2 * y t - p ^ 2 * (1 / 4) - p ^ 2 * (1 / 4 / sin psi) * sin (3 * p * t + psi))) /\
   (forall t, t_i < t -> T_ex (3 * p) psi < t -> is_derive v t (p ^ 2 * y t - p ^ 2 * (1 / 4))).
+Lemma going_says p psi u t_i y v : goes_on p psi u t_i y v ->
+  (forall t, t_i < t < T_ex (3 * p) psi ->
+    is_derive v t (p ^ 2 * y t + (right{56b, a_p/g := 1 / 4 / sin psi, alpha := 1 / 4, omega_p := 3 * p}))) /\
+  (forall t, t_i < t -> T_ex (3 * p) psi < t -> is_derive v t (p ^ 2 * y t + right{61b, alpha := 1 / 4})).
+Proof.
+  intros [_ [_ [_ [_ [V W]]]]]; split; [ intros t I; specialize (V t I); same_derivative V | ].
+  intros t I J; specialize (W t I J); same_derivative W.
+Qed.
 (* What is positive somewhere after t_i and negative in the end is 0 in between. *)
 Lemma comes_back_to_0 (y v : R -> R) t_i : (forall t, is_derive y t (v t)) -> y t_i = 0 -> 0 < v t_i ->
   (exists S, forall t, S < t -> y t < 0) -> exists t, t_i < t /\ y t = 0.

@@ -49,29 +49,26 @@ Qed.
 Section Small.
 Variables g alpha p omega_p psi a_p t theta thetaddot : R.
 Let u := a_p / g * sin (omega_p * t + psi).
-(* from 21a, 52, linearised *)
 Theorem derivation_56a :
   Rabs ((thetaddot + p ^ 2 * (u * cos (alpha + theta) - sin (alpha + theta))) -
-        (thetaddot - p ^ 2 * theta - (p ^ 2 * alpha - p ^ 2 * (a_p / g) * sin (omega_p * t + psi)))) <=
+        (left{56a} - (right{56a}))) <=
   p ^ 2 * (Rabs u * ((alpha + theta) ^ 2 / 2) + Rabs (alpha + theta) ^ 3 / 6).
 Proof.
   eapply Rle_trans; [ | apply (left_out p 1 u (alpha + theta)); ring ].
-  apply Req_le; f_equal; unfold u; ring.
+  apply Req_le; f_equal; unfold u, Rdiv; ring.
 Qed.
-(* from 21b, 52, linearised *)
 Theorem derivation_56b :
   Rabs ((thetaddot + p ^ 2 * (u * cos (alpha - theta) + sin (alpha - theta))) -
-        (thetaddot - p ^ 2 * theta - (- p ^ 2 * alpha - p ^ 2 * (a_p / g) * sin (omega_p * t + psi)))) <=
+        (left{56b} - (right{56b}))) <=
   p ^ 2 * (Rabs u * ((alpha - theta) ^ 2 / 2) + Rabs (alpha - theta) ^ 3 / 6).
 Proof.
   eapply Rle_trans; [ | apply (left_out p (- 1) u (alpha - theta)); ring ].
-  apply Req_le; f_equal; unfold u; ring.
+  apply Req_le; f_equal; unfold u, Rdiv; ring.
 Qed.
 (* With u29, a_p/(alpha g) = 1/cos(psi). *)
-(* from 21b, u26, u29, linearised *)
 Theorem derivation_97 : let c := alpha * cos (omega_p * t + psi) / cos psi in
   Rabs ((thetaddot + p ^ 2 * (c * cos (alpha - theta) + sin (alpha - theta))) -
-        (thetaddot - p ^ 2 * theta - (- p ^ 2 * alpha - p ^ 2 * alpha * cos (omega_p * t + psi) / cos psi))) <=
+        (left{97} - (right{97}))) <=
   p ^ 2 * (Rabs c * ((alpha - theta) ^ 2 / 2) + Rabs (alpha - theta) ^ 3 / 6).
 Proof.
   intro c; eapply Rle_trans; [ | apply (left_out p (- 1) c (alpha - theta)); ring ].
@@ -96,14 +93,12 @@ Proof.
       [ | nra | nra ] ]; nra.
   - replace (tan alpha) with (a_p * x / g) by (rewrite E; field; lra); field; repeat split; lra.
 Qed.
-(* from 54, linearised *)
 Theorem derivation_u21 : 0 < g -> 0 < alpha <= 1 -> sin psi <> 0 -> a_p * sin psi = g * tan alpha ->
-  Rabs (a_p / (g * alpha) - 1 / sin psi) <= alpha ^ 2 / Rabs (sin psi).
+  Rabs (left{u21} - right{u21}) <= alpha ^ 2 / Rabs (sin psi).
 Proof. apply amplitude_left_out. Qed.
-(* from u27d, linearised *)
 Theorem derivation_u29 : 0 < g -> 0 < alpha <= 1 -> cos psi <> 0 -> a_p * cos psi = g * tan alpha ->
-  Rabs (a_p / (g * alpha) - 1 / cos psi) <= alpha ^ 2 / Rabs (cos psi).
-Proof. apply amplitude_left_out. Qed.
+  Rabs (left{u29} - right{u29}) <= alpha ^ 2 / Rabs (cos psi).
+Proof. rewrite (Rmult_comm alpha g); apply amplitude_left_out. Qed.
 End Small.
 
 (* A block that nothing lifts does not turn, and so does not overturn: from rest, under an acceleration of at most
@@ -166,23 +161,18 @@ Qed.
 
 (* (103) from rest is (78) at psi + pi/2: no curve of its own. *)
 Theorem claim_c51_103_is_78_shifted p omega_p psi T_ex : 0 < p -> 0 < omega_p ->
-  T_ex = (3 * PI / 2 - psi) / omega_p ->
-  ((2 * p / omega_p + omega_p / p - 1 / 1 * (0 + 0 / p) * (p / omega_p + omega_p / p)) * cos psi - sin psi =
-    exp (- (p * T_ex)) <->
-   (omega_p / p + 2 * p / omega_p) * sin (psi + PI / 2) + cos (psi + PI / 2) =
-     exp (- ((2 * PI - (psi + PI / 2)) / (omega_p / p)))).
+  row{u28} ->
+  (row{103, theta_0 := 0, thetadot_0 := 0, alpha := 1} <-> row{78, psi := psi + PI / 2}).
 Proof.
   intros P W ->; rewrite sin_plus, cos_plus, sin_PI2, cos_PI2.
-  replace (- ((2 * PI - (psi + PI / 2)) / (omega_p / p))) with (- (p * ((3 * PI / 2 - psi) / omega_p))) by (field;
-    lra).
+  replace (- (2 * PI - (psi + PI / 2)) / (omega_p / p)) with (- p * ((3 * PI / 2 - psi) / omega_p)) by (field; lra).
   apply (eq_by 1); [ lra | field; lra ].
 Qed.
 
 (* (r16), e after an impact at a distance d from the corner: larger than (46) unless d = 0. *)
 Theorem claim_c22_away_from_the_corner R' alpha d : 0 < R' -> 0 < alpha < PI / 2 -> 0 < d ->
   R' * d * sin alpha < 4 / 3 * R' ^ 2 ->
-  1 - 3 / 2 * sin alpha ^ 2 <
-    (4 / 3 * R' ^ 2 - 2 * R' ^ 2 * sin alpha ^ 2 + R' * d * sin alpha) / (4 / 3 * R' ^ 2 - R' * d * sin alpha).
+  right{46b} < right{r16}.
 Proof.
   intros R A D N; assert (Z := PI_RGT_0); assert (S := sin_gt_0 alpha); assert (B := SIN_bound alpha).
   apply -> Rlt_div_r; [ | lra ]; assert (0 < R' * d * sin alpha) by (repeat apply Rmult_lt_0_compat; lra).

@@ -14,67 +14,59 @@ Ltac integral F :=
 (* A rectangle 2 b by 2 h of density rho. Double integrals, the inner one first. *)
 Section Block.
 Variables b h rho R' alpha : R.
-Hypotheses (corner : b = R' * sin alpha) (top : h = R' * cos alpha).
+Hypotheses (corner : row{42a}) (top : h = R' * cos alpha).
 Let m := rho * (2 * h * (2 * b)).
 Lemma diagonal : R' ^ 2 = b ^ 2 + h ^ 2.
 Proof. rewrite corner, top; assert (P := pyth alpha); ring [P]. Qed.
 
 (* The moment of inertia about the centre of mass. *)
-(* from u13, u14, 42a *)
 Theorem derivation_u2 :
   exists inner, (forall x, is_RInt (fun y => rho * (x ^ 2 + y ^ 2)) (- h) h (inner x)) /\
-                is_RInt inner (- b) b (m * R' ^ 2 / 3).
+                is_RInt inner (- b) b (right{u2}).
 Proof.
   exists (fun x => rho * (2 * h * x ^ 2 + 2 / 3 * h ^ 3)); split.
   - intro x; integral (fun y => rho * (x ^ 2 * y + y ^ 3 / 3)).
   - rewrite diagonal; unfold m; integral (fun x => rho * (2 / 3 * h * x ^ 3 + 2 / 3 * h ^ 3 * x)).
 Qed.
 (* About a corner. *)
-(* from u13, u14, 42a *)
 Theorem derivation_u3b :
   exists inner, (forall x, is_RInt (fun y => rho * (x ^ 2 + y ^ 2)) 0 (2 * h) (inner x)) /\
-                is_RInt inner 0 (2 * b) (4 / 3 * (m * R' ^ 2)).
+                is_RInt inner 0 (2 * b) (right{u3b}).
 Proof.
   exists (fun x => rho * (2 * h * x ^ 2 + 8 / 3 * h ^ 3)); split.
   - intro x; integral (fun y => rho * (x ^ 2 * y + y ^ 3 / 3)).
   - rewrite diagonal; unfold m; integral (fun x => rho * (2 / 3 * h * x ^ 3 + 8 / 3 * h ^ 3 * x)).
 Qed.
 (* About the other one, to whose left the block lies. *)
-(* from u13, u14, 42a *)
 Theorem derivation_u4 :
   exists inner, (forall x, is_RInt (fun y => rho * (x ^ 2 + y ^ 2)) 0 (2 * h) (inner x)) /\
-                is_RInt inner (- (2 * b)) 0 (4 / 3 * (m * R' ^ 2)).
+                is_RInt inner (- (2 * b)) 0 (right{u4}).
 Proof.
   exists (fun x => rho * (2 * h * x ^ 2 + 8 / 3 * h ^ 3)); split.
   - intro x; integral (fun y => rho * (x ^ 2 * y + y ^ 3 / 3)).
   - rewrite diagonal; unfold m; integral (fun x => rho * (2 / 3 * h * x ^ 3 + 8 / 3 * h ^ 3 * x)).
 Qed.
 (* That is Steiner's theorem. *)
-(* from u2, u3b *)
-Theorem derivation_u3a J_c J_o : J_c = m * R' ^ 2 / 3 -> J_o = 4 / 3 * m * R' ^ 2 -> J_o = J_c + m * R' ^ 2.
+Theorem derivation_u3a J_c J_o : row{u2} -> row{u3b} -> row{u3a}.
 Proof. intros; subst J_o J_c; field. Qed.
 
 (* The moment of momentum about the new corner before the impact: r^2 - 2 b r sin phi = x^2 + y^2 - 2 b x. *)
-(* from 39, 39b, 39c, 40b *)
 Theorem derivation_41 :
   exists inner, (forall x, is_RInt (fun y => x ^ 2 + y ^ 2 - 2 * b * x) 0 (2 * h) (inner x)) /\
-                is_RInt inner 0 (2 * b) (4 * h * b * (4 / 3 * h ^ 2 - 2 / 3 * b ^ 2)).
+                is_RInt inner 0 (2 * b) (right{41}).
 Proof.
   exists (fun x => 2 * h * (x ^ 2 - 2 * b * x) + 8 / 3 * h ^ 3); split.
   - intro x; integral (fun y => (x ^ 2 - 2 * b * x) * y + y ^ 3 / 3).
   - integral (fun x => 2 * h * (x ^ 3 / 3 - b * x ^ 2) + 8 / 3 * h ^ 3 * x).
 Qed.
-(* from 36, 41, u13, 42a *)
 Theorem derivation_43b thetadot_minus :
-  rho * (4 * h * b * (4 / 3 * h ^ 2 - 2 / 3 * b ^ 2)) * thetadot_minus =
-  m * R' ^ 2 * (4 / 3 - 2 * sin alpha ^ 2) * thetadot_minus.
+  rho * (right{41}) * thetadot_minus = right{43b}.
 Proof. unfold m; rewrite corner, top; assert (P := pyth alpha); field [P]. Qed.
 (* About that corner it is the same after the impact. *)
 (* After the impact every point has r^2 = x^2 + y^2. *)
-(* from 44, 45a, u13, u14, 42a *)
 Theorem derivation_45b thetadot_plus :
   exists inner, (forall x, is_RInt (fun y => rho * ((x ^ 2 + y ^ 2) * thetadot_plus)) 0 (2 * h) (inner x)) /\
-                is_RInt inner 0 (2 * b) (4 / 3 * m * R' ^ 2 * thetadot_plus).
+                is_RInt inner 0 (2 * b) (right{45b}).
 Proof.
   exists (fun x => rho * ((2 * h * x ^ 2 + 8 / 3 * h ^ 3) * thetadot_plus)); split.
   - intro x; integral (fun y => rho * ((x ^ 2 * y + y ^ 3 / 3) * thetadot_plus)).
@@ -82,29 +74,21 @@ Proof.
     integral (fun x => rho * ((2 / 3 * h * x ^ 3 + 8 / 3 * h ^ 3 * x) * thetadot_plus)).
 Qed.
 (* The inner integral of (43) goes as far as that of (39): what is printed is right of a square. *)
-(* from 39c *)
-Theorem derivation_43a y_end : y_end = 2 * h -> (y_end = 2 * b <-> h = b).
+Theorem derivation_43a y_end : row{39c} -> (y_end = 2 * b <-> h = b).
 Proof. intros ->; apply (eq_by 2); [ lra | ring ]. Qed.
-(* from 43b, 45b, u16 *)
 Theorem derivation_46a thetadot_minus thetadot_plus :
   0 < m -> 0 < R' ->
-  (m * R' ^ 2 * (4 / 3 - 2 * sin alpha ^ 2) * thetadot_minus = 4 / 3 * m * R' ^ 2 * thetadot_plus <->
-   thetadot_plus = (1 - 3 / 2 * sin alpha ^ 2) * thetadot_minus).
-Proof.
-  intros M L; apply (eq_by (- (4 / 3 * m * R' ^ 2))); [ | field ].
-  apply Ropp_neq_0_compat; nz.
-Qed.
+  (right{43b} = right{45b} <-> row{46a}).
+Proof. intros M L; apply (eq_by (4 / 3 * m * R' ^ 2)); [ nz | field ]. Qed.
 End Block.
 (* The impact elsewhere: an impulse P at a distance d from the new corner lifts the centre of mass, whose
    speed is (4b) before and (15b) after, and adds to the moment of momentum about that corner. *)
-(* from newton, 4b, 15b, 43b, 45b *)
 Theorem derivation_r16 m R' alpha d thetadot_minus thetadot_plus y_cdot_minus y_cdot_plus P :
   0 < m -> 0 < R' -> thetadot_minus <> 0 -> 4 / 3 * R' ^ 2 - R' * d * sin alpha <> 0 ->
   y_cdot_minus = - R' * thetadot_minus * sin (alpha + 0) -> y_cdot_plus = R' * thetadot_plus * sin (alpha - 0) ->
   P = m * y_cdot_plus - m * y_cdot_minus ->
-  4 / 3 * m * R' ^ 2 * thetadot_plus - m * R' ^ 2 * (4 / 3 - 2 * sin alpha ^ 2) * thetadot_minus = P * d ->
-  thetadot_plus / thetadot_minus =
-    (4 / 3 * R' ^ 2 - 2 * R' ^ 2 * sin alpha ^ 2 + R' * d * sin alpha) / (4 / 3 * R' ^ 2 - R' * d * sin alpha).
+  right{45b} - right{43b} = P * d ->
+  row{r16, e := thetadot_plus / thetadot_minus}.
 Proof.
   intros M R T N -> -> ->; rewrite Rplus_0_r, Rminus_0_r; apply (eq_by (/ (m * thetadot_minus *
     (4 / 3 * R' ^ 2 - R' * d * sin alpha)))); [ | field; repeat split; lra ].
@@ -124,32 +108,27 @@ Lemma speeds thetadot : is_derive theta t thetadot ->
 Proof.
   intro D; split; apply is_derive_unique; unfold x', y'; derivatives; rewrite upright, Rplus_0_r; ring.
 Qed.
-(* from 36, 37a, 37b, rotation *)
 Theorem derivation_38 : is_derive theta t thetadot_minus ->
-  (x' t + 2 * b) * Derive y' t - y' t * Derive x' t = (r ^ 2 - 2 * b * r * sin phi) * thetadot_minus.
+  (x' t + 2 * b) * Derive y' t - y' t * Derive x' t = right{38}.
 Proof.
   intro D; destruct (speeds _ D) as [-> ->]; unfold x', y'; rewrite upright, Rplus_0_r; assert (P := pyth phi); ring
     [P].
 Qed.
-(* from 44, rotation *)
 Theorem derivation_45a : is_derive theta t thetadot_plus ->
-  x' t * Derive y' t - y' t * Derive x' t = r ^ 2 * thetadot_plus.
+  x' t * Derive y' t - y' t * Derive x' t = right{45a}.
 Proof.
   intro D; destruct (speeds _ D) as [-> ->]; unfold x', y'; rewrite upright, Rplus_0_r; assert (P := pyth phi); ring
     [P].
 Qed.
-(* from 38, u15 *)
-Theorem derivation_39 x hO_minus : r * sin phi = 2 * b - x ->
-  hO_minus = (r ^ 2 - 2 * b * r * sin phi) * thetadot_minus ->
-  hO_minus = (r ^ 2 - 2 * b * (2 * b - x)) * thetadot_minus.
+Theorem derivation_39 x hO_minus : row{u15} ->
+  row{38} ->
+  row{39}.
 Proof. intros E ->; rewrite <- E; ring. Qed.
-(* from u15 *)
-Theorem derivation_40a x y : r * sin phi = 2 * b - x -> r * cos phi = y -> r ^ 2 = y ^ 2 + (2 * b - x) ^ 2.
+Theorem derivation_40a x y : row{u15} -> r * cos phi = y -> row{40a}.
 Proof. intros <- <-; assert (P := pyth phi); ring [P]. Qed.
 End Points.
 (* The energy that the impact takes, where the ground does not move. *)
-(* from 6, 16b *)
 Theorem derivation_u12a m R' alpha J_o thetadot_minus thetadot_plus K : 
   (forall v u, K v u = 1 / 2 * J_o * v ^ 2 + 1 / 2 * m * u ^ 2 + m * u * v * R' * cos alpha) ->
-  K thetadot_minus 0 - K thetadot_plus 0 = 1 / 2 * J_o * thetadot_minus ^ 2 - 1 / 2 * J_o * thetadot_plus ^ 2.
+  K thetadot_minus 0 - K thetadot_plus 0 = right{u12a}.
 Proof. intro E; rewrite !E; ring. Qed.

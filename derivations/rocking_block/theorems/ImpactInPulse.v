@@ -102,7 +102,7 @@ Proof.
 Qed.
 
 (* After it, with e of (46): the growing part of theta - alpha at the end of the pulse, times 10/alpha, (88). *)
-Definition e := 1 - 3 / 2 * sin (1 / 4) ^ 2.
+Definition e := right{46b, alpha := 1 / 4}.
 Definition impact c t := 3 * e * (D t - c * E t) - 10 - (c * sin (3 * t) +
   cos (3 * t)) - 3 * (c * cos (3 * t) - sin (3 * t)).
 Definition impact_rate c c' t :=

@@ -5,11 +5,9 @@ From Rederive Require Import Rederive.
 Section Geometry.
 Variables b h R' alpha : R.
 Hypotheses (b_pos : 0 < b) (h_pos : 0 < h) (R_pos : 0 < R').
-(* from u1 *)
-Theorem derivation_32b : alpha = atan (b / h) -> b / h = tan alpha.
+Theorem derivation_32b : row{u1} -> row{32b}.
 Proof. intros ->; now rewrite tan_atan. Qed.
-(* from u1 *)
-Theorem derivation_42a : alpha = atan (b / h) -> R' ^ 2 = b ^ 2 + h ^ 2 -> b = R' * sin alpha /\ h = R' * cos alpha.
+Theorem derivation_42a : row{u1} -> R' ^ 2 = b ^ 2 + h ^ 2 -> row{42a} /\ h = R' * cos alpha.
 Proof.
   intros A Q; assert (T := derivation_32b A); assert (P := pyth alpha).
   assert (C : 0 < cos alpha) by (rewrite A; destruct (atan_bound (b / h)); apply cos_gt_0; lra).
@@ -21,27 +19,15 @@ Proof.
   assert (Y : h = R' * cos alpha) by (assert (0 < R' * cos alpha) by pos; nra).
   split; [ | exact Y ]; apply (Rmult_eq_reg_r (cos alpha)); [ rewrite S, Y; ring | lra ].
 Qed.
-Hypotheses (side_b : b = R' * sin alpha) (side_h : h = R' * cos alpha).
-(* from u1, 42a, rotation *)
-Theorem derivation_2b_12b side x_c theta : side = 1 \/ side = - 1 ->
-  x_c = b - (b * cos theta + side * (h * sin theta)) -> x_c = b - R' * sin (alpha + side * theta).
-Proof.
-  intros [-> | ->] ->; rewrite side_b, side_h.
-  - replace (1 * theta) with theta by ring; rewrite sin_plus; ring.
-  - replace (-1 * theta) with (- theta) by ring; rewrite sin_plus, sin_neg, cos_neg; ring.
-Qed.
+Hypotheses (side_b : row{42a}) (side_h : h = R' * cos alpha).
+Theorem derivation_2b_12b x_c theta :
+  (x_c = b - (b * cos theta + h * sin theta) -> row{2b}) /\ (x_c = b - (b * cos theta - h * sin theta) -> row{12b}).
+Proof. split; intros ->; [ rewrite sin_plus | rewrite sin_minus ]; rewrite side_b, side_h; ring. Qed.
 (* The same vector's height, over that at rest, h. *)
-(* from u1, 42a, rotation *)
-Theorem derivation_3_13 side y_c theta : side = 1 \/ side = - 1 ->
-  y_c = h * cos theta - side * (b * sin theta) - h -> y_c = R' * (cos (alpha + side * theta) - cos alpha).
-Proof.
-  intros [-> | ->] ->; rewrite side_b, side_h.
-  - replace (1 * theta) with theta by ring; rewrite cos_plus; ring.
-  - replace (-1 * theta) with (- theta) by ring; rewrite cos_plus, sin_neg, cos_neg; ring.
-Qed.
-(* from 42a *)
-Theorem derivation_42b : 4 * h * b * (4 / 3 * h ^ 2 - 2 / 3 * b ^ 2) = 4 * h * b * (4 / 3 * R' ^ 2 - 2 * R' ^ 2 * sin
-  alpha ^ 2).
+Theorem derivation_3_13 y_c theta :
+  (y_c = h * cos theta - b * sin theta - h -> row{3}) /\ (y_c = h * cos theta + b * sin theta - h -> row{13}).
+Proof. split; intros ->; [ rewrite cos_plus | rewrite cos_minus ]; rewrite side_b, side_h; ring. Qed.
+Theorem derivation_42b : row{42b}.
 Proof. rewrite side_b, side_h; assert (P := pyth alpha); field [P]. Qed.
 End Geometry.
 
@@ -53,8 +39,7 @@ Lemma cos_pos : 0 < cos alpha. Proof. assert (Q := PI_RGT_0); apply cos_gt_0; lr
 Lemma sin_pos : 0 < sin alpha. Proof. assert (Q := PI_RGT_0); apply sin_gt_0; lra. Qed.
 Let b := R' * sin alpha.
 Let h := R' * cos alpha.
-(* from 23, u9a, u9b *)
-Theorem derivation_24a : m * a_p * R' * cos alpha >= m * g * R' * sin alpha <-> a_p >= g * tan alpha.
+Theorem derivation_24a : m * a_p * R' * cos alpha >= m * g * R' * sin alpha <-> row{24a}.
 Proof.
   assert (C := cos_pos); unfold tan; assert (K : 0 < m * R' * cos alpha) by pos.
   assert (E : g * (sin alpha / cos alpha) - a_p = / (m * R' * cos alpha) * (m * g * R' * sin alpha - m * a_p * R' *
@@ -62,12 +47,9 @@ Proof.
     by (field; lra).
   assert (L := Rinv_0_lt_compat _ K); split; intro; nra.
 Qed.
-Hypotheses (equation_25b : H_0 = m * (lambda * a_p + h * thetaddot_0)) (equation_26b : V_0 =
-  m * (g - b * thetaddot_0)).
-Hypothesis equation_27 : forall J_c, J_c = m * R' ^ 2 / 3 -> H_0 * h - V_0 * b + J_c * thetaddot_0 = 0.
-(* from 25b, 26b, 27, u2, 28b, 42a *)
-Theorem derivation_28a : p ^ 2 = 3 * g / (4 * R') -> thetaddot_0 = p ^ 2 * sin alpha * (1 - lambda * a_p / (g * tan
-  alpha)).
+Hypotheses (equation_25b : row{25b}) (equation_26b : row{26b}).
+Hypothesis equation_27 : forall J_c, row{u2} -> row{27}.
+Theorem derivation_28a : row{28b} -> row{28a}.
 Proof.
   intro P; assert (C := cos_pos); assert (S := sin_pos); assert (E := equation_27 _ eq_refl).
   rewrite equation_25b, equation_26b in E; unfold h, b in E; rewrite P; unfold tan.
@@ -80,15 +62,13 @@ Proof.
      m * R' ^ 2 / 3 * thetaddot_0 + m * g * R' * sin alpha - m * R' * cos alpha * (lambda * a_p)) by (field [Q]).
   rewrite E; ring.
 Qed.
-(* from 28a *)
-Theorem derivation_u11_u17 : 0 < p -> thetaddot_0 = p ^ 2 * sin alpha * (1 - lambda * a_p / (g * tan alpha)) ->
-  (thetaddot_0 = 0 <-> lambda * a_p = g * tan alpha).
+Theorem derivation_u11_u17 : 0 < p -> row{28a} ->
+  (thetaddot_0 = 0 <-> row{u17, u_gddot_0 := lambda * a_p}).
 Proof.
   intros P ->; assert (C := cos_pos); assert (S := sin_pos); assert (T : 0 < tan alpha) by (unfold tan; pos).
   apply (eq_by (- (p ^ 2 * sin alpha / (g * tan alpha)))); [ nz | field; lra ].
 Qed.
-(* from 25b, 26b, 27, u2, u17, 42a *)
-Theorem derivation_51a : lambda * a_p = g * tan alpha -> H_0 / V_0 = lambda * a_p / g.
+Theorem derivation_51a : row{u17, u_gddot_0 := lambda * a_p} -> row{51a, u_gddot_0 := lambda * a_p}.
 Proof.
   intro L; assert (C := cos_pos); assert (P := pyth alpha); assert (E := equation_27 _ eq_refl).
   assert (T : lambda * a_p * cos alpha = g * sin alpha) by (rewrite L; unfold tan; field; lra).
@@ -99,18 +79,15 @@ Proof.
       m * R' * (lambda * a_p * cos alpha - g * sin alpha)); [ field [P] | rewrite E, T; ring ]. }
   rewrite equation_25b, equation_26b, Z; field; lra.
 Qed.
-(* from 30, 51a, u11, 42a *)
-Theorem derivation_32a mu : lambda * a_p = g * tan alpha -> (mu >= H_0 / V_0 <-> mu >= b / h).
+Theorem derivation_32a mu : row{u11} -> (row{30} <-> row{32a}).
 Proof.
   intro L; assert (C := cos_pos); replace (b / h) with (H_0 / V_0); [ reflexivity | ].
   rewrite (derivation_51a L), L; unfold tan, b, h; field; lra.
 Qed.
-(* from 25b, 26b, 28a, 28b, 30, 42a *)
 Theorem derivation_31 mu : thetaddot_0 = 3 / 4 * (g / R') * sin alpha * (1 - lambda * a_p / (g * tan alpha)) ->
   V_0 <> 0 ->
-  (mu >= H_0 / V_0 <->
-   mu >= (lambda * a_p - 3 / 4 * g * cos alpha * sin alpha * (lambda * a_p / (g * tan alpha) - 1)) /
-         (g + 3 / 4 * g * sin alpha ^ 2 * (lambda * a_p / (g * tan alpha) - 1))).
+  (row{30} <->
+   row{31}).
 Proof.
   intros E N; set (q := lambda * a_p / (g * tan alpha)) in *.
   assert (A : H_0 = m * (lambda * a_p - 3 / 4 * g * cos alpha * sin alpha * (q - 1))) by (rewrite equation_25b, E;
@@ -121,10 +98,9 @@ Proof.
   rewrite A, B; match goal with |- (mu >= ?x <-> mu >= ?y) => replace x with y by (field; lra) end; reflexivity.
 Qed.
 End Start.
-(* from 24a *)
 Theorem derivation_24b m g R' alpha a_p_min : 0 < m -> 0 < g -> 0 < R' -> 0 < alpha < PI / 2 ->
   let turns a_p := m * a_p * R' * cos alpha >= m * g * R' * sin alpha in
-  (turns a_p_min /\ (forall a_p, turns a_p -> a_p_min <= a_p) <-> a_p_min = g * tan alpha).
+  (turns a_p_min /\ (forall a_p, turns a_p -> a_p_min <= a_p) <-> row{24b}).
 Proof.
   intros M G R A turns; assert (E : forall a_p, turns a_p <-> a_p >= g * tan alpha) by (intro;
     apply derivation_24a; assumption).
@@ -132,18 +108,15 @@ Proof.
   - intros [T L]; apply E in T; assert (Q : turns (g * tan alpha)) by (apply E; lra); specialize (L _ Q); lra.
   - intros ->; split; [ apply E; lra | intros a_p Q; apply E in Q; lra ].
 Qed.
-(* from 23, 25b *)
 Theorem derivation_u10b m g R' alpha a_p lambda : 0 < m -> 0 < g -> 0 < R' -> 0 < alpha < PI / 2 -> 0 < a_p ->
-  (m * (lambda * a_p) * R' * cos alpha >= m * g * R' * sin alpha <-> lambda >= g * tan alpha / a_p).
+  (m * (lambda * a_p) * R' * cos alpha >= m * g * R' * sin alpha <-> row{u10b}).
 Proof.
   intros M G R A P; rewrite derivation_24a by assumption.
   assert (E : g * tan alpha <= lambda * a_p <-> g * tan alpha / a_p <= lambda) by (apply (le_by a_p);
     [ exact P | field; lra ]).
   split; intro H; apply Rle_ge, E, Rge_le, H.
 Qed.
-(* from 25b, 52 *)
-Theorem derivation_u10a a_p lambda omega_p psi : 0 < a_p -> lambda * a_p = a_p * sin (omega_p * 0 + psi) -> 1 >=
-  lambda.
+Theorem derivation_u10a a_p lambda omega_p psi : 0 < a_p -> lambda * a_p = a_p * sin (omega_p * 0 + psi) -> row{u10a}.
 Proof. intros A E; assert (B := SIN_bound (omega_p * 0 + psi)); nra. Qed.
 
 (* Coulomb: the block slides unless |H| < mu V. H changes its sign while the block rocks; (33) is of H >= 0. *)
@@ -151,18 +124,14 @@ Section Friction.
 Variables mu H V alpha b h g u_gddot_0 : R.
 Hypotheses (presses : 0 < V) (pushes : 0 <= H).
 Lemma quotient : Rabs H / V = H / V. Proof. now rewrite Rabs_pos_eq. Qed.
-(* from 29 *)
-Theorem derivation_33 : Rabs H < mu * V <-> mu > H / V.
+Theorem derivation_33 : Rabs H < mu * V <-> row{33}.
 Proof. rewrite <- quotient; apply (lt_by V); [ exact presses | field; lra ]. Qed.
-(* from 29 *)
-Theorem derivation_50c : Rabs H <= mu * V <-> H / V <= mu.
+Theorem derivation_50c : Rabs H <= mu * V <-> row{50c}.
 Proof. rewrite <- quotient; apply (le_by V); [ exact presses | field; lra ]. Qed.
-(* from 50c, 51a, 51b *)
-Theorem derivation_51c : H / V <= mu -> H / V = u_gddot_0 / g -> u_gddot_0 / g = tan alpha -> tan alpha <= mu.
+Theorem derivation_51c : row{50c} -> row{51a, H_0 := H, V_0 := V} -> row{51b} -> row{51c}.
 Proof. lra. Qed.
-(* from 33, 51a, 51b, 55a *)
-Theorem derivation_55b : mu > H / V -> H / V = u_gddot_0 / g -> u_gddot_0 / g = tan alpha -> tan alpha = b / h ->
-  b / h < mu.
+Theorem derivation_55b : row{33} -> row{51a, H_0 := H, V_0 := V} -> row{51b} -> row{55a} ->
+  row{55b}.
 Proof. lra. Qed.
 End Friction.
 
@@ -170,53 +139,42 @@ End Friction.
 Section Phase.
 Variables omega_p psi a_p g alpha : R.
 Hypothesis omega_pos : 0 < omega_p.
-(* from 52 *)
-Theorem derivation_52b_52c t : 0 <= omega_p * t + psi <= 2 * PI <-> - psi / omega_p <= t <= (2 * PI - psi) / omega_p.
+Theorem derivation_52b_52c t : 0 <= omega_p * t + psi <= 2 * PI <-> row{52b} /\ row{52c}.
 Proof.
   assert (A : 0 <= omega_p * t + psi <-> - psi / omega_p <= t) by (apply (le_by omega_p); [ lra | field; lra ]).
   assert (B : omega_p * t + psi <= 2 * PI <-> t <= (2 * PI - psi) / omega_p) by (apply (le_by omega_p);
     [ lra | field; lra ]).
   tauto.
 Qed.
-(* from 52 *)
-Theorem derivation_u20 T_ex : omega_p * T_ex + psi = 2 * PI <-> T_ex = (2 * PI - psi) / omega_p.
+Theorem derivation_u20 T_ex : omega_p * T_ex + psi = 2 * PI <-> row{u20}.
 Proof. apply (eq_by omega_p); [ lra | field; lra ]. Qed.
-(* from u26 *)
-Theorem derivation_u28 T_ex : omega_p * T_ex + PI / 2 + psi = 2 * PI <-> T_ex = (3 * PI / 2 - psi) / omega_p.
+Theorem derivation_u28 T_ex : omega_p * T_ex + PI / 2 + psi = 2 * PI <-> row{u28}.
 Proof. apply (eq_by omega_p); [ lra | field; lra ]. Qed.
-(* from 52 *)
-Theorem derivation_53a : a_p * sin (omega_p * 0 + psi) = a_p * sin psi.
+Theorem derivation_53a : row{53a, u_gddot_0 := a_p * sin (omega_p * 0 + psi)}.
 Proof. now rewrite Rmult_0_r, Rplus_0_l. Qed.
-(* from 53a, 25b *)
-Theorem derivation_53b u_gddot_0 lambda : u_gddot_0 = a_p * sin psi -> u_gddot_0 = lambda * a_p ->
-  a_p * sin psi = lambda * a_p.
+Theorem derivation_53b u_gddot_0 lambda : row{53a} -> u_gddot_0 = lambda * a_p ->
+  row{53b}.
 Proof. congruence. Qed.
-(* from 53b *)
-Theorem derivation_53c lambda : 0 < a_p -> - (PI / 2) <= psi <= PI / 2 -> a_p * sin psi = lambda * a_p ->
-  psi = asin lambda.
+Theorem derivation_53c lambda : 0 < a_p -> - (PI / 2) <= psi <= PI / 2 -> row{53b} ->
+  row{53c}.
 Proof.
   intros A P E; assert (S : lambda = sin psi) by (apply (Rmult_eq_reg_l a_p); lra).
   rewrite S; symmetry; now apply asin_sin.
 Qed.
-(* from 53c, u18 *)
-Theorem derivation_54 lambda : 0 < a_p -> psi = asin lambda -> lambda * a_p = g * tan alpha ->
-  psi = asin (g * tan alpha / a_p).
+Theorem derivation_54 lambda : 0 < a_p -> row{53c} -> row{u18} ->
+  row{54}.
 Proof. intros A -> E; f_equal; rewrite <- E; field; lra. Qed.
-(* from u26 *)
-Theorem derivation_u27a : a_p * cos (omega_p * 0 + psi) = a_p * cos psi.
+Theorem derivation_u27a : row{u27a, u_gddot_0 := a_p * cos (omega_p * 0 + psi)}.
 Proof. now rewrite Rmult_0_r, Rplus_0_l. Qed.
-(* from u27a, 25b *)
-Theorem derivation_u27b u_gddot_0 lambda : u_gddot_0 = a_p * cos psi -> u_gddot_0 = lambda * a_p ->
-  a_p * cos psi = lambda * a_p.
+Theorem derivation_u27b u_gddot_0 lambda : row{u27a} -> u_gddot_0 = lambda * a_p ->
+  row{u27b}.
 Proof. congruence. Qed.
-(* from u27b *)
-Theorem derivation_u27c lambda : 0 < a_p -> 0 <= psi <= PI -> a_p * cos psi = lambda * a_p -> psi = acos lambda.
+Theorem derivation_u27c lambda : 0 < a_p -> 0 <= psi <= PI -> row{u27b} -> row{u27c}.
 Proof.
   intros A P E; assert (S : lambda = cos psi) by (apply (Rmult_eq_reg_l a_p); lra).
   rewrite S; symmetry; now apply acos_cos.
 Qed.
-(* from u27b, u11 *)
-Theorem derivation_u27d lambda : cos psi <> 0 -> a_p * cos psi = lambda * a_p -> lambda * a_p = g * tan alpha ->
-  a_p = g * tan alpha / cos psi.
+Theorem derivation_u27d lambda : cos psi <> 0 -> row{u27b} -> row{u11} ->
+  row{u27d}.
 Proof. intros C E L; rewrite <- L, <- E; field; exact C. Qed.
 End Phase.

@@ -46,32 +46,32 @@ Let T_ex := (2 * PI - psi) / omega_p.
 (* (67) and (68), whatever the pulse leaves. *)
 Theorem instance_68 y v : exists theta thetadot Abar_1 Abar_2,
   moves_freely p T_ex (- alpha) y v theta thetadot Abar_1 Abar_2 /\
-  (tends_to theta (- alpha) <-> thetadot T_ex + p * (theta T_ex + alpha) = 0).
+  (tends_to theta (- alpha) <-> row{68, theta_ex := theta T_ex, thetadot_ex := thetadot T_ex}).
 Proof. motion p T_ex (- alpha) y v theta thetadot; apply (derivation_68 alpha p T_ex) with A B; auto; lra. Qed.
 Theorem instance_71 : exists theta thetadot Abar_1 Abar_2,
   let A_1 := - alpha * w / (1 + w ^ 2) * cot psi in let A_2 := alpha * w ^ 2 / (1 + w ^ 2) in
   moves_freely p T_ex (- alpha) (A_1 * sinh (p * T_ex) + A_2 * cosh (p * T_ex) - alpha)
-    (A_1 * cosh (p * T_ex) + A_2 * sinh (p * T_ex) + alpha * w / (1 + w ^ 2) * (1 / sin psi))
+    (A_1 * cosh (p * T_ex) + A_2 * sinh (p * T_ex) + alpha * w / (1 + w ^ 2) * 1 / sin psi)
     theta thetadot Abar_1 Abar_2 /\
-  (tends_to theta (- alpha) <-> cos psi - w * sin psi = exp (- ((2 * PI - psi) / w))).
+  (tends_to theta (- alpha) <-> row{71, omega_p/p := w}).
 Proof.
   set (A_1 := - alpha * w / (1 + w ^ 2) * cot psi); set (A_2 := alpha * w ^ 2 / (1 + w ^ 2)).
   motion p T_ex (- alpha) (A_1 * sinh (p * T_ex) + A_2 * cosh (p * T_ex) - alpha)
-    (A_1 * cosh (p * T_ex) + A_2 * sinh (p * T_ex) + alpha * w / (1 + w ^ 2) * (1 / sin psi)) theta thetadot.
+    (A_1 * cosh (p * T_ex) + A_2 * sinh (p * T_ex) + alpha * w / (1 + w ^ 2) * 1 / sin psi) theta thetadot.
   apply (derivation_71 alpha p omega_p psi T_ex) with thetadot A B A_1 A_2; auto; lra.
 Qed.
 Theorem instance_104 theta_0 thetadot_0 : exists theta thetadot Abar_1 Abar_2,
   let A_1 := thetadot_0 / p - alpha * w / (1 + w ^ 2) * cot psi in
   let A_2 := theta_0 + alpha - alpha / (1 + w ^ 2) in
   moves_freely p T_ex (- alpha) (A_1 * sinh (p * T_ex) + A_2 * cosh (p * T_ex) - alpha)
-    (A_1 * cosh (p * T_ex) + A_2 * sinh (p * T_ex) + alpha * w / (1 + w ^ 2) * (1 / sin psi))
+    (A_1 * cosh (p * T_ex) + A_2 * sinh (p * T_ex) + alpha * w / (1 + w ^ 2) * 1 / sin psi)
     theta thetadot Abar_1 Abar_2 /\
   (tends_to theta (- alpha) <->
-   cos psi - (w + 1 / alpha * (theta_0 + thetadot_0 / p) * (1 / w + w)) * sin psi = exp (- (p * T_ex))).
+   row{104, omega_p/p := w}).
 Proof.
   set (A_1 := thetadot_0 / p - alpha * w / (1 + w ^ 2) * cot psi); set (A_2 := theta_0 + alpha - alpha / (1 + w ^ 2)).
   motion p T_ex (- alpha) (A_1 * sinh (p * T_ex) + A_2 * cosh (p * T_ex) - alpha)
-    (A_1 * cosh (p * T_ex) + A_2 * sinh (p * T_ex) + alpha * w / (1 + w ^ 2) * (1 / sin psi)) theta thetadot.
+    (A_1 * cosh (p * T_ex) + A_2 * sinh (p * T_ex) + alpha * w / (1 + w ^ 2) * 1 / sin psi) theta thetadot.
   apply (derivation_104 alpha p omega_p psi T_ex) with thetadot A B A_1 A_2; auto; lra.
 Qed.
 End Left.
@@ -83,18 +83,18 @@ Let w := omega_p / p.
 (* (74) and (75) *)
 Theorem instance_75 y v : exists theta thetadot Abar_3 Abar_4,
   moves_freely p T_ex alpha y v theta thetadot Abar_3 Abar_4 /\
-  (tends_to theta alpha <-> thetadot T_ex + p * (theta T_ex - alpha) = 0).
+  (tends_to theta alpha <-> row{75, theta_ex := theta T_ex, thetadot_ex := thetadot T_ex}).
 Proof. motion p T_ex alpha y v theta thetadot; apply (derivation_75 alpha p T_ex) with A B; auto; lra. Qed.
-Theorem instance_78 : sin psi <> 0 -> T_ex = (2 * PI - psi) / omega_p -> exists theta thetadot Abar_3 Abar_4,
+Theorem instance_78 : sin psi <> 0 -> row{u20} -> exists theta thetadot Abar_3 Abar_4,
   let A_3 := - alpha * w / (1 + w ^ 2) * cot psi in let A_4 := - alpha * (2 + w ^ 2) / (1 + w ^ 2) in
   moves_freely p T_ex alpha (A_3 * sinh (p * T_ex) + A_4 * cosh (p * T_ex) + alpha)
-    (A_3 * cosh (p * T_ex) + A_4 * sinh (p * T_ex) + alpha * w / (1 + w ^ 2) * (1 / sin psi))
+    (A_3 * cosh (p * T_ex) + A_4 * sinh (p * T_ex) + alpha * w / (1 + w ^ 2) * 1 / sin psi)
     theta thetadot Abar_3 Abar_4 /\
-  (tends_to theta alpha <-> (w + 2 / w) * sin psi + cos psi = exp (- ((2 * PI - psi) / w))).
+  (tends_to theta alpha <-> row{78, omega_p/p := w}).
 Proof.
   intros S T; set (A_3 := - alpha * w / (1 + w ^ 2) * cot psi); set (A_4 := - alpha * (2 + w ^ 2) / (1 + w ^ 2)).
   motion p T_ex alpha (A_3 * sinh (p * T_ex) + A_4 * cosh (p * T_ex) + alpha)
-    (A_3 * cosh (p * T_ex) + A_4 * sinh (p * T_ex) + alpha * w / (1 + w ^ 2) * (1 / sin psi)) theta thetadot.
+    (A_3 * cosh (p * T_ex) + A_4 * sinh (p * T_ex) + alpha * w / (1 + w ^ 2) * 1 / sin psi) theta thetadot.
   apply (derivation_78 alpha p omega_p psi T_ex) with thetadot A B A_3 A_4; auto; lra.
 Qed.
 (* (102) and (103) *)
@@ -102,16 +102,16 @@ Theorem instance_103 theta_0 thetadot_0 : cos psi <> 0 -> exists theta thetadot 
   let A_3 := thetadot_0 / p + alpha * w / (1 + w ^ 2) * tan psi in
   let A_4 := theta_0 - alpha * (2 + w ^ 2) / (1 + w ^ 2) in
   moves_freely p T_ex alpha (A_3 * sinh (p * T_ex) + A_4 * cosh (p * T_ex) + alpha)
-    (A_3 * cosh (p * T_ex) + A_4 * sinh (p * T_ex) + alpha * w / (1 + w ^ 2) * (1 / cos psi))
+    (A_3 * cosh (p * T_ex) + A_4 * sinh (p * T_ex) + alpha * w / (1 + w ^ 2) * 1 / cos psi)
     theta thetadot Abar_3 Abar_4 /\
-  (tends_to theta alpha <-> A_3 + A_4 = - alpha * w / (1 + w ^ 2) * (1 / cos psi) * exp (- (p * T_ex))) /\
+  (tends_to theta alpha <-> row{102, omega_p/p := w}) /\
   (tends_to theta alpha <->
-   (2 / w + w - 1 / alpha * (theta_0 + thetadot_0 / p) * (1 / w + w)) * cos psi - sin psi = exp (- (p * T_ex))).
+   row{103, omega_p/p := w}).
 Proof.
   intro C; set (A_3 := thetadot_0 / p + alpha * w / (1 + w ^ 2) * tan psi).
   set (A_4 := theta_0 - alpha * (2 + w ^ 2) / (1 + w ^ 2)).
   motion p T_ex alpha (A_3 * sinh (p * T_ex) + A_4 * cosh (p * T_ex) + alpha)
-    (A_3 * cosh (p * T_ex) + A_4 * sinh (p * T_ex) + alpha * w / (1 + w ^ 2) * (1 / cos psi)) theta thetadot; split.
+    (A_3 * cosh (p * T_ex) + A_4 * sinh (p * T_ex) + alpha * w / (1 + w ^ 2) * 1 / cos psi) theta thetadot; split.
   - apply (derivation_102 alpha p omega_p psi T_ex) with thetadot A B; auto; lra.
   - apply (derivation_103 alpha p omega_p psi T_ex) with thetadot A B A_3 A_4; auto; lra.
 Qed.
@@ -122,19 +122,17 @@ Theorem instance_88 t_i e : sin psi <> 0 -> cos psi <> 0 -> exists theta thetado
   let A_3 := e * thetadot_before / p - alpha * w / (1 + w ^ 2) * cos (omega_p * t_i + psi) / sin psi in
   let A_4 := - alpha - alpha / (1 + w ^ 2) * sin (omega_p * t_i + psi) / sin psi in
   moves_freely p T_ex alpha (A_3 * sinh (p * (T_ex - t_i)) + A_4 * cosh (p * (T_ex - t_i)) + alpha)
-    (A_3 * cosh (p * (T_ex - t_i)) + A_4 * sinh (p * (T_ex - t_i)) + alpha * w / (1 + w ^ 2) * (1 / sin psi))
+    (A_3 * cosh (p * (T_ex - t_i)) + A_4 * sinh (p * (T_ex - t_i)) + alpha * w / (1 + w ^ 2) * 1 / sin psi)
     theta thetadot Abar_3 Abar_4 /\
   (tends_to theta alpha <->
-   e * (cosh (p * t_i) - cos (omega_p * t_i)) * cos psi +
-     (e * (sin (omega_p * t_i) - w * sinh (p * t_i)) + 1 / w + w) * sin psi +
-     cos (omega_p * t_i + psi) + 1 / w * sin (omega_p * t_i + psi) = exp (- (p * (T_ex - t_i)))).
+   row{88, omega_p/p := w}).
 Proof.
   intros S C; set (thetadot_before := p * (alpha * w / (1 + w ^ 2) *
     ((cos (omega_p * t_i) - cosh (p * t_i)) / tan psi + w * sinh (p * t_i) - sin (omega_p * t_i)))).
   set (A_3 := e * thetadot_before / p - alpha * w / (1 + w ^ 2) * cos (omega_p * t_i + psi) / sin psi).
   set (A_4 := - alpha - alpha / (1 + w ^ 2) * sin (omega_p * t_i + psi) / sin psi).
   motion p T_ex alpha (A_3 * sinh (p * (T_ex - t_i)) + A_4 * cosh (p * (T_ex - t_i)) + alpha)
-    (A_3 * cosh (p * (T_ex - t_i)) + A_4 * sinh (p * (T_ex - t_i)) + alpha * w / (1 + w ^ 2) * (1 / sin psi))
+    (A_3 * cosh (p * (T_ex - t_i)) + A_4 * sinh (p * (T_ex - t_i)) + alpha * w / (1 + w ^ 2) * 1 / sin psi)
     theta thetadot.
   apply (derivation_88 alpha p omega_p psi T_ex) with thetadot A B A_3 A_4 thetadot_before; auto.
   apply Rinv_r_simpl_m; lra.
@@ -142,8 +140,8 @@ Qed.
 (* (94) and (95) *)
 Theorem instance_95a t_i thetadot_before e : exists theta thetadot c_1 c_2,
   moves_freely p t_i alpha 0 (e * thetadot_before / p) theta thetadot c_1 c_2 /\
-  (tends_to theta alpha <-> thetadot t_i - p * alpha = 0) /\ (tends_to thetadot 0 <-> thetadot t_i - p * alpha = 0) /\
-  (tends_to theta alpha <-> e * thetadot_before - p * alpha = 0).
+  (tends_to theta alpha <-> row{95a, thetadot_after := thetadot t_i}) /\ (tends_to thetadot 0 <-> row{95a, thetadot_after := thetadot t_i}) /\
+  (tends_to theta alpha <-> row{95b}).
 Proof.
   motion p t_i alpha 0 (e * thetadot_before / p) theta thetadot.
   assert (Z : B = - alpha) by lra; assert (K := derivation_95a alpha p p_pos theta thetadot t_i A B E F Z G).
@@ -180,10 +178,9 @@ Theorem instance_92a e : 0 < e -> exists t_i theta thetadot Abar_1 Abar_2,
   moves_freely p T_ex (- alpha)
     (- alpha * w / (1 + w ^ 2) * cot psi * sinh (p * T_ex) + alpha * w ^ 2 / (1 + w ^ 2) * cosh (p * T_ex) - alpha)
     (- alpha * w / (1 + w ^ 2) * cot psi * cosh (p * T_ex) + alpha * w ^ 2 / (1 + w ^ 2) * sinh (p * T_ex) +
-      alpha * w / (1 + w ^ 2) * (1 / sin psi)) theta thetadot Abar_1 Abar_2 /\
-  theta t_i = 0 /\ 0 < thetadot t_i /\
-  (e * thetadot t_i - p * alpha = 0 <-> w ^ 2 / (1 + w ^ 2) ^ 2 * (2 / sin psi ^ 2 - 1 - w ^ 2 +
-    2 / sin psi * (w * sinh (p * T_ex) - cot psi * cosh (p * T_ex))) = 1 / e ^ 2 - 1).
+      alpha * w / (1 + w ^ 2) * 1 / sin psi) theta thetadot Abar_1 Abar_2 /\
+  row{u22, theta_i := theta t_i} /\ 0 < thetadot t_i /\
+  (row{95b, thetadot_before := thetadot t_i} <-> row{r9, omega_p/p := w}).
 Proof.
   intro I; assert (S : 0 < sin psi) by (apply sin_gt_0; unfold psi; bounds).
   assert (C : 0 < cos psi) by (apply cos_gt_0; unfold psi; bounds).
@@ -197,7 +194,7 @@ Proof.
   - destruct (free_motion p T_ex (- alpha)
       (- alpha * w / (1 + w ^ 2) * cot psi * sinh (p * T_ex) + alpha * w ^ 2 / (1 + w ^ 2) * cosh (p * T_ex) - alpha)
       (- alpha * w / (1 + w ^ 2) * cot psi * cosh (p * T_ex) + alpha * w ^ 2 / (1 + w ^ 2) * sinh (p * T_ex) +
-        alpha * w / (1 + w ^ 2) * (1 / sin psi))) as [theta [thetadot [a [b M]]]]; [ unfold p; lra | ].
+        alpha * w / (1 + w ^ 2) * 1 / sin psi)) as [theta [thetadot [a [b M]]]]; [ unfold p; lra | ].
     exists (T_ex + x), theta, thetadot, a, b; split; [ exact M | destruct M as [D [E [F [G [H [U V]]]]]] ].
     assert (Z : p * (T_ex + x - T_ex) = x) by (unfold p; ring).
     assert (Ga : a = X) by (rewrite G, V, W, cot_1; unfold X, alpha, p; rewrite !Rmult_1_l; field; lra).
@@ -227,11 +224,11 @@ Proof.
   rewrite Rplus_0_r, Rminus_0_r; field; lra.
 Qed.
 Theorem instance_28a m g R' alpha p a_p lambda : 0 < m -> 0 < g -> 0 < R' -> 0 < alpha < PI / 2 ->
-  p ^ 2 = 3 * g / (4 * R') -> exists thetaddot_0 H_0 V_0,
+  row{28b} -> exists thetaddot_0 H_0 V_0,
   H_0 = m * (lambda * a_p + R' * cos alpha * thetaddot_0) /\ V_0 = m * (g - R' * sin alpha * thetaddot_0) /\
-  (forall J_c, J_c = m * R' ^ 2 / 3 -> H_0 * (R' * cos alpha) - V_0 * (R' * sin alpha) + J_c * thetaddot_0 = 0) /\
-  thetaddot_0 = p ^ 2 * sin alpha * (1 - lambda * a_p / (g * tan alpha)) /\
-  (lambda * a_p = g * tan alpha -> 0 < V_0).
+  (forall J_c, row{u2} -> H_0 * (R' * cos alpha) - V_0 * (R' * sin alpha) + J_c * thetaddot_0 = 0) /\
+  row{28a} /\
+  (row{u11} -> 0 < V_0).
 Proof.
   intros M G R A P; assert (C : 0 < cos alpha) by (apply cos_gt_0; lra); assert (S : 0 < sin alpha) by (apply
     sin_gt_0;

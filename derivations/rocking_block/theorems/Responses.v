@@ -82,257 +82,185 @@ Ltac no_ground E :=
   match type of E with is_derive _ _ ?d => match goal with |- is_derive _ _ ?c => replace c with d by (field;
     lra) end end; exact E.
 (* u21 *)
-Lemma amplitude x : a_p / (g * alpha) = 1 / x -> x <> 0 -> a_p / g = alpha / x.
-Proof. intros U N; transitivity (a_p / (g * alpha) * alpha); [ field; lra | rewrite U; field; lra ]. Qed.
+Lemma amplitude x : a_p / (g * alpha) = 1 / x -> x <> 0 -> a_p = g * alpha / x.
+Proof. intros U N; transitivity (a_p / (g * alpha) * (g * alpha)); [ field; lra | rewrite U; field; lra ]. Qed.
 (* u20 *)
-Lemma end_of_sine T_ex : T_ex = (2 * PI - psi) / omega_p -> omega_p * T_ex + psi = 2 * PI.
+Lemma end_of_sine T_ex : row{u20} -> omega_p * T_ex + psi = 2 * PI.
 Proof. intros ->; field; lra. Qed.
 Ltac fractions := assert (Q := squares); unfold s; field; repeat split; try lra; try assumption.
 
 (* theta < 0. *)
-(* from 56a *)
 Theorem derivation_57a :
-  (forall t, is_derive thetadot t (p ^ 2 * theta t + p ^ 2 * alpha - p ^ 2 * (a_p / g) * sin (omega_p * t + psi))) <->
-  exists A_1 A_2, forall t, theta t = A_1 * sinh (p * t) + A_2 * cosh (p * t) + 1 / (1 +
-    s ^ 2) * (a_p / g) * sin (omega_p * t + psi) - alpha.
+  (forall t, is_derive thetadot t (p ^ 2 * theta t + (right{56a}))) <->
+  exists A_1 A_2, forall t, row{57a at t, omega_p/p := s}.
 Proof. both_ways 0 (sine_solves (- alpha)). Qed.
 Section Response_a.
 Variables A_1 A_2 : R.
-Hypothesis equation_57a : forall t, theta t = A_1 * sinh (p * t) + A_2 * cosh (p * t) + 1 / (1 +
-  s ^ 2) * (a_p / g) * sin (omega_p * t + psi) - alpha.
-Hypotheses (equation_u21 : a_p / (g * alpha) = 1 / sin psi) (starts : sin psi <> 0).
-(* from 57a, u21 *)
-Theorem derivation_59a t :
-  thetadot t / p = A_1 * cosh (p * t) + A_2 * sinh (p * t) + alpha * s / (1 + s ^ 2) * cos (omega_p * t +
-    psi) / sin psi.
+Hypothesis equation_57a : forall t, row{57a at t, omega_p/p := s}.
+Hypotheses (equation_u21 : row{u21}) (starts : sin psi <> 0).
+Theorem derivation_59a t : row{59a at t, omega_p/p := s}.
 Proof. revert t; by_rate 0 A_1 A_2 (sine_solves (- alpha)) equation_57a; rewrite (amplitude _ equation_u21 starts);
   fractions. Qed.
-(* from 57a, 59a, u21 *)
-Theorem derivation_58a : A_1 = thetadot 0 / p - alpha * s / (1 + s ^ 2) * cot psi.
+Theorem derivation_58a : row{58a, thetadot_0 := thetadot 0, omega_p/p := s}.
 Proof. rewrite (derivation_59a 0), !Rmult_0_r, cosh_0, sinh_0, Rplus_0_l; unfold cot; fractions. Qed.
-(* from 57a, u21 *)
-Theorem derivation_58b : A_2 = theta 0 + alpha - alpha / (1 + s ^ 2).
+Theorem derivation_58b : row{58b, theta_0 := theta 0, omega_p/p := s}.
 Proof. rewrite (equation_57a 0), !Rmult_0_r, cosh_0, sinh_0, Rplus_0_l, (amplitude _ equation_u21 starts);
   fractions. Qed.
-(* from 58a, rest *)
-Theorem derivation_70a : thetadot 0 = 0 -> A_1 = - alpha * s / (1 + s ^ 2) * cot psi.
+Theorem derivation_70a : thetadot 0 = 0 -> row{70a, omega_p/p := s}.
 Proof. intro rest; rewrite derivation_58a, rest; fractions. Qed.
-(* from 58b, rest *)
-Theorem derivation_70b : theta 0 = 0 -> A_2 = alpha * s ^ 2 / (1 + s ^ 2).
+Theorem derivation_70b : theta 0 = 0 -> row{70b, omega_p/p := s}.
 Proof. intro rest; rewrite derivation_58b, rest; fractions. Qed.
-(* from 57a, u20 *)
-Theorem derivation_69a T_ex : T_ex = (2 * PI - psi) / omega_p -> theta T_ex =
-  A_1 * sinh (p * T_ex) + A_2 * cosh (p * T_ex) - alpha.
+Theorem derivation_69a T_ex : row{u20} -> row{69a, theta_ex := theta T_ex}.
 Proof. intro; rewrite (equation_57a T_ex), (end_of_sine T_ex), sin_2PI by assumption; ring. Qed.
-(* from 59a, u20 *)
-Theorem derivation_69b T_ex : T_ex = (2 * PI - psi) / omega_p ->
-  thetadot T_ex / p = A_1 * cosh (p * T_ex) + A_2 * sinh (p * T_ex) + alpha * s / (1 + s ^ 2) * (1 / sin psi).
+Theorem derivation_69b T_ex : row{u20} ->
+  row{69b, thetadot_ex := thetadot T_ex, omega_p/p := s}.
 Proof. intro; rewrite (derivation_59a T_ex), (end_of_sine T_ex), cos_2PI by assumption; fractions. Qed.
-(* from 57a, u21 *)
-Theorem derivation_84 t_i : theta t_i = A_1 * sinh (p * t_i) + A_2 * cosh (p * t_i) - alpha + alpha / (1 +
-  s ^ 2) * sin (omega_p * t_i + psi) / sin psi.
+Theorem derivation_84 t_i : row{84, theta_i := theta t_i, omega_p/p := s}.
 Proof. rewrite (equation_57a t_i), (amplitude _ equation_u21 starts); fractions. Qed.
-(* from 59a, u21 *)
-Theorem derivation_85 t_i :
-  thetadot t_i / p = A_1 * cosh (p * t_i) + A_2 * sinh (p * t_i) + alpha * s / (1 + s ^ 2) * cos (omega_p * t_i +
-    psi) / sin psi.
+Theorem derivation_85 t_i : row{85, thetadot_before := thetadot t_i, omega_p/p := s}.
 Proof. apply derivation_59a. Qed.
 End Response_a.
 
 (* theta > 0. *)
-(* from 56b *)
 Theorem derivation_57b :
-  (forall t, is_derive thetadot t (p ^ 2 * theta t - p ^ 2 * alpha - p ^ 2 * (a_p / g) * sin (omega_p * t + psi))) <->
-  exists A_3 A_4, forall t, theta t = A_3 * sinh (p * t) + A_4 * cosh (p * t) + 1 / (1 +
-    s ^ 2) * (a_p / g) * sin (omega_p * t + psi) + alpha.
+  (forall t, is_derive thetadot t (p ^ 2 * theta t + (right{56b}))) <->
+  exists A_3 A_4, forall t, row{57b at t, omega_p/p := s}.
 Proof. both_ways 0 (sine_solves (alpha)). Qed.
 Section Response_b.
 Variables A_3 A_4 : R.
-Hypothesis equation_57b : forall t, theta t = A_3 * sinh (p * t) + A_4 * cosh (p * t) + 1 / (1 +
-  s ^ 2) * (a_p / g) * sin (omega_p * t + psi) + alpha.
-Hypotheses (equation_u21 : a_p / (g * alpha) = 1 / sin psi) (starts : sin psi <> 0).
-(* from 57b, u21 *)
-Theorem derivation_59b t :
-  thetadot t / p = A_3 * cosh (p * t) + A_4 * sinh (p * t) + alpha * s / (1 + s ^ 2) * cos (omega_p * t +
-    psi) / sin psi.
+Hypothesis equation_57b : forall t, row{57b at t, omega_p/p := s}.
+Hypotheses (equation_u21 : row{u21}) (starts : sin psi <> 0).
+Theorem derivation_59b t : row{59b at t, omega_p/p := s}.
 Proof. revert t; by_rate 0 A_3 A_4 (sine_solves (alpha)) equation_57b; rewrite (amplitude _ equation_u21 starts);
   fractions. Qed.
-(* from 57b, 59b, u21 *)
-Theorem derivation_58c : A_3 = thetadot 0 / p - alpha * s / (1 + s ^ 2) * cot psi.
+Theorem derivation_58c : row{58c, thetadot_0 := thetadot 0, omega_p/p := s}.
 Proof. rewrite (derivation_59b 0), !Rmult_0_r, cosh_0, sinh_0, Rplus_0_l; unfold cot; fractions. Qed.
-(* from 57b, u21 *)
-Theorem derivation_58d : A_4 = theta 0 - alpha - alpha / (1 + s ^ 2).
+Theorem derivation_58d : row{58d, theta_0 := theta 0, omega_p/p := s}.
 Proof. rewrite (equation_57b 0), !Rmult_0_r, cosh_0, sinh_0, Rplus_0_l, (amplitude _ equation_u21 starts);
   fractions. Qed.
-(* from 58c, rest *)
-Theorem derivation_77a : thetadot 0 = 0 -> A_3 = - alpha * s / (1 + s ^ 2) * cot psi.
+Theorem derivation_77a : thetadot 0 = 0 -> row{77a, omega_p/p := s}.
 Proof. intro rest; rewrite derivation_58c, rest; fractions. Qed.
-(* from 58d, rest *)
-Theorem derivation_77b : theta 0 = 0 -> A_4 = - alpha * (2 + s ^ 2) / (1 + s ^ 2).
+Theorem derivation_77b : theta 0 = 0 -> row{77b, omega_p/p := s}.
 Proof. intro rest; rewrite derivation_58d, rest; fractions. Qed.
-(* from 57b, u20 *)
-Theorem derivation_76a T_ex : T_ex = (2 * PI - psi) / omega_p -> theta T_ex =
-  A_3 * sinh (p * T_ex) + A_4 * cosh (p * T_ex) + alpha.
+Theorem derivation_76a T_ex : row{u20} -> row{76a, theta_ex := theta T_ex}.
 Proof. intro; rewrite (equation_57b T_ex), (end_of_sine T_ex), sin_2PI by assumption; ring. Qed.
-(* from 59b, u20 *)
-Theorem derivation_76b T_ex : T_ex = (2 * PI - psi) / omega_p ->
-  thetadot T_ex / p = A_3 * cosh (p * T_ex) + A_4 * sinh (p * T_ex) + alpha * s / (1 + s ^ 2) * (1 / sin psi).
+Theorem derivation_76b T_ex : row{u20} ->
+  row{76b, thetadot_ex := thetadot T_ex, omega_p/p := s}.
 Proof. intro; rewrite (derivation_59b T_ex), (end_of_sine T_ex), cos_2PI by assumption; fractions. Qed.
 End Response_b.
 
 (* theta > 0 after an impact at t_i. *)
 Section After.
 Variables t_i : R.
-Hypotheses (equation_u21 : a_p / (g * alpha) = 1 / sin psi) (starts : sin psi <> 0).
-(* from 56b, u21 *)
+Hypotheses (equation_u21 : row{u21}) (starts : sin psi <> 0).
 Theorem derivation_79a :
-  (forall t, is_derive thetadot t (p ^ 2 * theta t - p ^ 2 * alpha - p ^ 2 * (a_p / g) * sin (omega_p * t + psi))) <->
+  (forall t, is_derive thetadot t (p ^ 2 * theta t + (right{56b}))) <->
   exists A_3 A_4, forall t,
-  theta t = A_3 * sinh (p * (t - t_i)) + A_4 * cosh (p * (t - t_i)) + alpha / (1 + s ^ 2) * sin (omega_p * t +
-    psi) / sin psi + alpha.
+  row{79a at t, omega_p/p := s}.
 Proof.
   both_ways t_i (sine_solves alpha); rewrite (amplitude _ equation_u21 starts); fractions.
 Qed.
 Variables A_3 A_4 : R.
-Hypothesis equation_79a : forall t,
-  theta t = A_3 * sinh (p * (t - t_i)) + A_4 * cosh (p * (t - t_i)) + alpha / (1 + s ^ 2) * sin (omega_p * t +
-    psi) / sin psi + alpha.
-(* from 79a, u21 *)
-Theorem derivation_79b t :
-  thetadot t / p = A_3 * cosh (p * (t - t_i)) + A_4 * sinh (p * (t - t_i)) + alpha * s / (1 +
-    s ^ 2) * cos (omega_p * t + psi) / sin psi.
+Hypothesis equation_79a : forall t, row{79a at t, omega_p/p := s}.
+Theorem derivation_79b t : row{79b at t, omega_p/p := s}.
 Proof.
   revert t; by_rate t_i A_3 A_4 (sine_solves alpha) equation_79a; rewrite (amplitude _ equation_u21 starts);
     fractions.
 Qed.
-(* from 79a, u20 *)
-Theorem derivation_80a T_ex : T_ex = (2 * PI - psi) / omega_p -> theta T_ex =
-  A_3 * sinh (p * (T_ex - t_i)) + A_4 * cosh (p * (T_ex - t_i)) + alpha.
+Theorem derivation_80a T_ex : row{u20} -> row{80a, theta_ex := theta T_ex}.
 Proof. intro; rewrite (equation_79a T_ex), (end_of_sine T_ex), sin_2PI by assumption; fractions. Qed.
-(* from 79b, u20 *)
-Theorem derivation_80b T_ex : T_ex = (2 * PI - psi) / omega_p ->
-  thetadot T_ex / p = A_3 * cosh (p * (T_ex - t_i)) + A_4 * sinh (p * (T_ex - t_i)) + alpha * s / (1 +
-    s ^ 2) * (1 / sin psi).
+Theorem derivation_80b T_ex : row{u20} ->
+  row{80b, thetadot_ex := thetadot T_ex, omega_p/p := s}.
 Proof. intro; rewrite (derivation_79b T_ex), (end_of_sine T_ex), cos_2PI by assumption; fractions. Qed.
-(* from 79a, u22 *)
-Theorem derivation_81 : theta t_i = 0 -> A_4 = - alpha - alpha / (1 + s ^ 2) * sin (omega_p * t_i + psi) / sin psi.
+Theorem derivation_81 : row{u22, theta_i := theta t_i} -> row{81, omega_p/p := s}.
 Proof. intro Z; rewrite (equation_79a t_i), (proj1 (at_start t_i A_3 A_4)) in Z; lra. Qed.
-(* from 79b, u23 *)
-Theorem derivation_82 e thetadot_before : thetadot t_i = e * thetadot_before ->
-  A_3 = e * thetadot_before / p - alpha * s / (1 + s ^ 2) * cos (omega_p * t_i + psi) / sin psi.
+Theorem derivation_82 e thetadot_before : row{u23, thetadot_after := thetadot t_i} ->
+  row{82, omega_p/p := s}.
 Proof. intro Z; rewrite <- Z, (derivation_79b t_i), (proj2 (at_start t_i A_3 A_4)); ring. Qed.
 End After.
 
 (* The free motion after t_o: (61) is (56) where the ground is at rest. *)
-(* from 56a, 52 *)
 Theorem derivation_61a : a_p = 0 ->
-  (forall t, is_derive thetadot t (p ^ 2 * theta t + p ^ 2 * alpha - p ^ 2 * (a_p / g) * sin (omega_p * t + psi))) ->
-  forall t, is_derive thetadot t (p ^ 2 * theta t + p ^ 2 * alpha).
+  (forall t, is_derive thetadot t (p ^ 2 * theta t + (right{56a}))) ->
+  forall t, is_derive thetadot t (p ^ 2 * theta t + right{61a}).
 Proof. intros Z E t; specialize (E t); rewrite Z in E; no_ground E. Qed.
-(* from 56b, 52 *)
 Theorem derivation_61b : a_p = 0 ->
-  (forall t, is_derive thetadot t (p ^ 2 * theta t - p ^ 2 * alpha - p ^ 2 * (a_p / g) * sin (omega_p * t + psi))) ->
-  forall t, is_derive thetadot t (p ^ 2 * theta t - p ^ 2 * alpha).
+  (forall t, is_derive thetadot t (p ^ 2 * theta t + (right{56b}))) ->
+  forall t, is_derive thetadot t (p ^ 2 * theta t + right{61b}).
 Proof. intros Z E t; specialize (E t); rewrite Z in E; no_ground E. Qed.
 Section Free.
 Variables t_o T_ex t_i : R.
 
-(* from 61a *)
-Theorem derivation_62a : (forall t, is_derive thetadot t (p ^ 2 * theta t + p ^ 2 * alpha)) <->
-  exists Abar_1 Abar_2, forall t, theta t = Abar_1 * sinh (p * (t - t_o)) + Abar_2 * cosh (p * (t - t_o)) - alpha.
+Theorem derivation_62a : (forall t, is_derive thetadot t (p ^ 2 * theta t + right{61a})) <->
+  exists Abar_1 Abar_2, forall t, row{62a at t}.
 Proof. both_ways t_o (constant_solves (- alpha)). Qed.
 Section Free_a.
 Variables Abar_1 Abar_2 : R.
-Hypothesis equation_62a : forall t, theta t = Abar_1 * sinh (p * (t - t_o)) + Abar_2 * cosh (p * (t - t_o)) - alpha.
-(* from 62a *)
-Theorem derivation_63a t : thetadot t / p = Abar_1 * cosh (p * (t - t_o)) + Abar_2 * sinh (p * (t - t_o)).
+Hypothesis equation_62a : forall t, row{62a at t}.
+Theorem derivation_63a t : row{63a at t}.
 Proof. revert t; by_rate t_o Abar_1 Abar_2 (constant_solves (- alpha)) equation_62a; field; lra. Qed.
-(* from 63a *)
-Theorem derivation_64a : Abar_1 = thetadot t_o / p.
+Theorem derivation_64a : row{64a, thetadot_to := thetadot t_o}.
 Proof. rewrite (derivation_63a t_o), (proj2 (at_start t_o Abar_1 Abar_2)); reflexivity. Qed.
-(* from 62a *)
-Theorem derivation_64b : Abar_2 = theta t_o + alpha.
+Theorem derivation_64b : row{64b, theta_to := theta t_o}.
 Proof. rewrite (equation_62a t_o), (proj1 (at_start t_o Abar_1 Abar_2)); ring. Qed.
-(* from 64a *)
-Theorem derivation_66a : t_o = T_ex -> Abar_1 = thetadot T_ex / p.
+Theorem derivation_66a : t_o = T_ex -> row{66a, thetadot_ex := thetadot T_ex}.
 Proof. intros <-; exact derivation_64a. Qed.
-(* from 64b *)
-Theorem derivation_66b : t_o = T_ex -> Abar_2 = theta T_ex + alpha.
+Theorem derivation_66b : t_o = T_ex -> row{66b, theta_ex := theta T_ex}.
 Proof. intros <-; exact derivation_64b. Qed.
-(* from 62a, 66a, 66b *)
 Theorem derivation_89a t : t_o = T_ex ->
-  theta t = thetadot T_ex / p * sinh (p * (t - T_ex)) + (theta T_ex + alpha) * cosh (p * (t - T_ex)) - alpha.
+  row{89a at t, theta_ex := theta T_ex, thetadot_ex := thetadot T_ex}.
 Proof. intros <-; rewrite <- derivation_64a, <- derivation_64b; apply equation_62a. Qed.
-(* from 63a, 66a, 66b *)
 Theorem derivation_89b t : t_o = T_ex ->
-  thetadot t / p = thetadot T_ex / p * cosh (p * (t - T_ex)) + (theta T_ex + alpha) * sinh (p * (t - T_ex)).
+  row{89b at t, theta_ex := theta T_ex, thetadot_ex := thetadot T_ex}.
 Proof. intros <-; rewrite <- derivation_64a, <- derivation_64b; apply derivation_63a. Qed.
 (* With the end of the pulse, (91), and theta(t_i) = 0. *)
-Hypothesis equation_91a : theta T_ex =
-  - alpha * s / (1 + s ^ 2) * cot psi * sinh (p * T_ex) + alpha * s ^ 2 / (1 + s ^ 2) * cosh (p * T_ex) - alpha.
-Hypothesis equation_91b : thetadot T_ex / p =
-  - alpha * s / (1 + s ^ 2) * cot psi * cosh (p * T_ex) + alpha * s ^ 2 / (1 + s ^ 2) * sinh (p * T_ex) +
-    alpha * s / (1 + s ^ 2) * (1 / sin psi).
+Hypothesis equation_91a : row{91a, theta_ex := theta T_ex, omega_p/p := s}.
+Hypothesis equation_91b : row{91b, thetadot_ex := thetadot T_ex, omega_p/p := s}.
 Hypotheses (starts : sin psi <> 0) (no_right_angle : cos psi <> 0).
-(* from 89a, 91a, 91b, u22 *)
-Theorem derivation_92a : t_o = T_ex -> theta t_i = 0 ->
-  s / (1 + s ^ 2) * ((cosh (p * T_ex) / tan psi - s * sinh (p * T_ex) - 1 / sin psi) * sinh (p * (t_i - T_ex)) +
-                     (sinh (p * T_ex) / tan psi - s * cosh (p * T_ex)) * cosh (p * (t_i - T_ex))) = - 1.
+Theorem derivation_92a : t_o = T_ex -> row{u22, theta_i := theta t_i} ->
+  row{92a, omega_p/p := s}.
 Proof.
   intros E Z; assert (F := derivation_89a t_i E); rewrite Z, equation_91a, equation_91b in F; revert F.
   unfold cot, tan; intro F; apply (Rmult_eq_reg_l alpha); [ | lra ].
   match type of F with 0 = ?e => transitivity (- alpha - e); [ fractions | rewrite <- F; ring ] end.
 Qed.
-(* from 89b, 91a, 91b *)
 Theorem derivation_92b : t_o = T_ex ->
-  thetadot t_i = alpha * omega_p / (1 + s ^ 2) *
-    ((s * sinh (p * T_ex) - cosh (p * T_ex) / tan psi + 1 / sin psi) * cosh (p * (t_i - T_ex)) +
-     (s * cosh (p * T_ex) - sinh (p * T_ex) / tan psi) * sinh (p * (t_i - T_ex))).
+  row{92b, thetadot_before := thetadot t_i, omega_p/p := s}.
 Proof.
   intro E; assert (F := derivation_89b t_i E); rewrite equation_91a, equation_91b in F; revert F.
   unfold cot, tan; intro F; transitivity (thetadot t_i / p * p); [ | rewrite F ]; fractions.
 Qed.
 End Free_a.
 
-(* from 61b *)
-Theorem derivation_62b : (forall t, is_derive thetadot t (p ^ 2 * theta t - p ^ 2 * alpha)) <->
-  exists Abar_3 Abar_4, forall t, theta t = Abar_3 * sinh (p * (t - t_o)) + Abar_4 * cosh (p * (t - t_o)) + alpha.
+Theorem derivation_62b : (forall t, is_derive thetadot t (p ^ 2 * theta t + right{61b})) <->
+  exists Abar_3 Abar_4, forall t, row{62b at t}.
 Proof. both_ways t_o (constant_solves (alpha)). Qed.
 Section Free_b.
 Variables Abar_3 Abar_4 : R.
-Hypothesis equation_62b : forall t, theta t = Abar_3 * sinh (p * (t - t_o)) + Abar_4 * cosh (p * (t - t_o)) + alpha.
-(* from 62b *)
-Theorem derivation_63b t : thetadot t / p = Abar_3 * cosh (p * (t - t_o)) + Abar_4 * sinh (p * (t - t_o)).
+Hypothesis equation_62b : forall t, row{62b at t}.
+Theorem derivation_63b t : row{63b at t}.
 Proof. revert t; by_rate t_o Abar_3 Abar_4 (constant_solves (alpha)) equation_62b; field; lra. Qed.
-(* from 63b *)
-Theorem derivation_64c : Abar_3 = thetadot t_o / p.
+Theorem derivation_64c : row{64c, thetadot_to := thetadot t_o}.
 Proof. rewrite (derivation_63b t_o), (proj2 (at_start t_o Abar_3 Abar_4)); reflexivity. Qed.
-(* from 62b *)
-Theorem derivation_64d : Abar_4 = theta t_o - alpha.
+Theorem derivation_64d : row{64d, theta_to := theta t_o}.
 Proof. rewrite (equation_62b t_o), (proj1 (at_start t_o Abar_3 Abar_4)); ring. Qed.
-(* from 64c *)
-Theorem derivation_73a : t_o = T_ex -> Abar_3 = thetadot T_ex / p.
+Theorem derivation_73a : t_o = T_ex -> row{73a, thetadot_ex := thetadot T_ex}.
 Proof. intros <-; exact derivation_64c. Qed.
-(* from 64d *)
-Theorem derivation_73b : t_o = T_ex -> Abar_4 = theta T_ex - alpha.
+Theorem derivation_73b : t_o = T_ex -> row{73b, theta_ex := theta T_ex}.
 Proof. intros <-; exact derivation_64d. Qed.
 End Free_b.
 
 (* After an impact at t_i when the ground is at rest. *)
-(* from 61b *)
-Theorem derivation_93a : (forall t, is_derive thetadot t (p ^ 2 * theta t - p ^ 2 * alpha)) <->
-  exists c_1 c_2, forall t, theta t = c_1 * sinh (p * (t - t_i)) + c_2 * cosh (p * (t - t_i)) + alpha.
+Theorem derivation_93a : (forall t, is_derive thetadot t (p ^ 2 * theta t + right{61b})) <->
+  exists c_1 c_2, forall t, row{93a at t}.
 Proof. both_ways t_i (constant_solves alpha). Qed.
 Variables c_1 c_2 : R.
-Hypothesis equation_93a : forall t, theta t = c_1 * sinh (p * (t - t_i)) + c_2 * cosh (p * (t - t_i)) + alpha.
-(* from 93a *)
-Theorem derivation_93b t : thetadot t / p = c_1 * cosh (p * (t - t_i)) + c_2 * sinh (p * (t - t_i)).
+Hypothesis equation_93a : forall t, row{93a at t}.
+Theorem derivation_93b t : row{93b at t}.
 Proof. revert t; by_rate t_i c_1 c_2 (constant_solves alpha) equation_93a; field; lra. Qed.
-(* from 93a, u22 *)
-Theorem derivation_u24 : theta t_i = 0 -> c_2 = - alpha.
+Theorem derivation_u24 : row{u22, theta_i := theta t_i} -> row{u24}.
 Proof. rewrite (equation_93a t_i), (proj1 (at_start t_i c_1 c_2)); lra. Qed.
-(* from 93b *)
-Theorem derivation_u25a : c_1 = thetadot t_i / p.
+Theorem derivation_u25a : row{u25a, thetadot_after := thetadot t_i}.
 Proof. rewrite derivation_93b, (proj2 (at_start t_i c_1 c_2)); reflexivity. Qed.
 End Free.
 
@@ -341,38 +269,27 @@ Lemma cos_pi_minus x : cos (PI - x) = - cos x.
 Proof. rewrite cos_minus, cos_PI, sin_PI; ring. Qed.
 Section Cosine.
 Hypothesis starts : cos psi <> 0.
-(* from 97 *)
 Theorem derivation_98 :
-  (forall t, is_derive thetadot t (p ^ 2 * theta t - p ^ 2 * alpha - p ^ 2 * alpha * cos (omega_p * t +
-    psi) / cos psi)) <->
-  exists A_3 A_4, forall t, theta t = A_3 * sinh (p * t) + A_4 * cosh (p * t) + alpha / (1 +
-    s ^ 2) * cos (omega_p * t + psi) / cos psi + alpha.
+  (forall t, is_derive thetadot t (p ^ 2 * theta t + (right{97}))) <->
+  exists A_3 A_4, forall t, row{98 at t, omega_p/p := s}.
 Proof. both_ways 0 (cosine_solves alpha (alpha / cos psi)); fractions. Qed.
 Variables A_3 A_4 : R.
-Hypothesis equation_98 : forall t,
-  theta t = A_3 * sinh (p * t) + A_4 * cosh (p * t) + alpha / (1 + s ^ 2) * cos (omega_p * t + psi) / cos psi + alpha.
-(* from 98 *)
-Theorem derivation_99 t :
-  thetadot t / p = A_3 * cosh (p * t) + A_4 * sinh (p * t) - alpha * s / (1 + s ^ 2) * sin (omega_p * t +
-    psi) / cos psi.
+Hypothesis equation_98 : forall t, row{98 at t, omega_p/p := s}.
+Theorem derivation_99 t : row{99 at t, omega_p/p := s}.
 Proof. revert t; by_rate 0 A_3 A_4 (cosine_solves alpha (alpha / cos psi)) equation_98; fractions. Qed.
-(* from 99 *)
-Theorem derivation_100a : A_3 = thetadot 0 / p + alpha * s / (1 + s ^ 2) * tan psi.
+Theorem derivation_100a : row{100a, thetadot_0 := thetadot 0, omega_p/p := s}.
 Proof. rewrite (derivation_99 0), !Rmult_0_r, cosh_0, sinh_0, Rplus_0_l; unfold tan; fractions. Qed.
-(* from 98 *)
-Theorem derivation_100b : A_4 = theta 0 - alpha * (2 + s ^ 2) / (1 + s ^ 2).
+Theorem derivation_100b : row{100b, theta_0 := theta 0, omega_p/p := s}.
 Proof. rewrite (equation_98 0), !Rmult_0_r, cosh_0, sinh_0, Rplus_0_l; fractions. Qed.
 (* At rest it is pushed to the other side. *)
-(* from 97, rest *)
 Theorem derivation_r13 : theta 0 = 0 ->
   is_derive thetadot 0 (p ^ 2 * theta 0 - p ^ 2 * alpha - p ^ 2 * alpha * cos (omega_p * 0 + psi) / cos psi) ->
-  is_derive thetadot 0 (-2 * p ^ 2 * alpha).
+  is_derive thetadot 0 (right{r13}).
 Proof.
   intros Z E; match type of E with is_derive _ _ ?d => replace (-2 * p ^ 2 * alpha) with d; [ exact E | ] end.
   rewrite Z, !Rmult_0_r, Rplus_0_l; field; exact starts.
 Qed.
 (* At rest it is pushed to theta > 0 from the phase pi - psi on. *)
-(* from 97, rest *)
 Theorem derivation_r14 phi : 0 <= psi < PI / 2 -> 0 <= phi <= PI ->
   (0 <= p ^ 2 * 0 - p ^ 2 * alpha - p ^ 2 * alpha * cos phi / cos psi <-> PI - psi <= phi).
 Proof.
@@ -382,15 +299,12 @@ Proof.
   - apply cos_decr_0; try lra; nra.
   - assert (D := cos_decr_1 (PI - psi) phi); apply Rmult_le_pos; lra.
 Qed.
-Lemma end_of_cosine T_ex : T_ex = (3 * PI / 2 - psi) / omega_p -> omega_p * T_ex + psi = 3 * (PI / 2).
+Lemma end_of_cosine T_ex : row{u28} -> omega_p * T_ex + psi = 3 * (PI / 2).
 Proof. intros ->; field; lra. Qed.
-(* from 98, u28 *)
-Theorem derivation_101a T_ex : T_ex = (3 * PI / 2 - psi) / omega_p -> theta T_ex =
-  A_3 * sinh (p * T_ex) + A_4 * cosh (p * T_ex) + alpha.
+Theorem derivation_101a T_ex : row{u28} -> row{101a, theta_ex := theta T_ex}.
 Proof. intro; rewrite (equation_98 T_ex), (end_of_cosine T_ex), cos_3PI2 by assumption; fractions. Qed.
-(* from 99, u28 *)
-Theorem derivation_101b T_ex : T_ex = (3 * PI / 2 - psi) / omega_p ->
-  thetadot T_ex / p = A_3 * cosh (p * T_ex) + A_4 * sinh (p * T_ex) + alpha * s / (1 + s ^ 2) * (1 / cos psi).
+Theorem derivation_101b T_ex : row{u28} ->
+  row{101b, thetadot_ex := thetadot T_ex, omega_p/p := s}.
 Proof. intro; rewrite (derivation_99 T_ex), (end_of_cosine T_ex), sin_3PI2 by assumption; fractions. Qed.
 End Cosine.
 End Linear.

@@ -6,6 +6,11 @@ From Coquelicot Require Import Coquelicot.
 
 (* (71) says that this is 0. *)
 Definition excess w psi := cos psi - w * sin psi - exp (- ((2 * PI - psi) / w)).
+Lemma excess_says w psi : excess w psi = 0 <-> row{71, omega_p/p := w}.
+Proof. unfold excess; replace (- (2 * PI - psi) / w) with (- ((2 * PI - psi) / w)) by (unfold Rdiv; ring); lra. Qed.
+Ltac same_derivative D :=
+  match type of D with is_derive _ _ ?d => match goal with |- is_derive _ _ ?e =>
+    replace e with d by (unfold Rdiv; ring); exact D end end.
 
 (* One threshold, whatever w is: positive at 0, decreasing to the right angle, negative beyond. *)
 Lemma excess_at_rest w : 0 < w -> 0 < excess w 0.
@@ -97,6 +102,8 @@ Proof.
   assert (S := sin_psi_pos); assert (Q := squares_pos).
   unfold theta, thetadot; auto_derive; [ repeat split; lra | field; split; lra ].
 Qed.
+Lemma response_says t : is_derive thetadot t (p ^ 2 * theta t + (right{56a, a_p/g := alpha / sin psi})).
+Proof. same_derivative (response_solves t). Qed.
 Theorem response_starts_at_rest : theta 0 = 0 /\ thetadot 0 = 0.
 Proof.
   assert (S := sin_psi_pos); assert (Q := squares_pos); unfold theta, thetadot, A_1, A_2.
@@ -110,7 +117,7 @@ Definition free s :=
 Definition freedot s :=
   thetadot T_ex * ((exp (p * s) + exp (- (p * s))) / 2) +
   p * (theta T_ex + alpha) * ((exp (p * s) - exp (- (p * s))) / 2).
-Theorem free_solves s : is_derive free s (freedot s) /\ is_derive freedot s (p ^ 2 * free s + p ^ 2 * alpha) /\
+Theorem free_solves s : is_derive free s (freedot s) /\ is_derive freedot s (p ^ 2 * free s + right{61a}) /\
   free 0 = theta T_ex /\ freedot 0 = thetadot T_ex.
 Proof.
   unfold free, freedot; split; [ | split; [ | split ] ].
@@ -245,6 +252,12 @@ Definition is_the_motion (x v : R -> R) :=
   (forall t, 0 < t < T_ex ->
     is_derive v t (p ^ 2 * x t + p ^ 2 * alpha - p ^ 2 * (alpha / sin psi) * sin (omega_p * t + psi))) /\
   (forall t, T_ex < t -> is_derive v t (p ^ 2 * x t + p ^ 2 * alpha)).
+Lemma motion_says x v : is_the_motion x v ->
+  (forall t, 0 < t < T_ex -> is_derive v t (p ^ 2 * x t + (right{56a, a_p/g := alpha / sin psi}))) /\
+  (forall t, T_ex < t -> is_derive v t (p ^ 2 * x t + right{61a})).
+Proof.
+  intros [_ [_ [_ [_ [V W]]]]]; split; intros t I; [ specialize (V t I); same_derivative V | exact (W t I) ].
+Qed.
 Lemma T_ex_pos : 0 < T_ex.
 Proof. assert (L := PI_RGT_0); unfold T_ex; apply Rdiv_lt_0_compat; lra. Qed.
 Lemma the_motion_is x v : is_the_motion x v ->

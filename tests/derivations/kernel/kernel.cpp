@@ -184,7 +184,7 @@ TEST_CASE("nothing that is spoiled passes Coq") {
   for (std::size_t k = 0; k < entries().size(); ++k) {
     const Entry& entry = entries()[k];
     const auto right = lemma_of(entry);
-    if (!right || right->kind != "row") continue;
+    if (!right || right->kind != Lemma::Kind::row) continue;
     if (k % 6 == 0)
       if (const auto lemma = with_a_slip(entry, k)) must_fail(*lemma), ++slips;
     if (const auto lemma = without_conditions(entry)) must_fail(*lemma), ++conditions;
@@ -211,7 +211,7 @@ TEST_CASE("no spoiled enclosure passes Coq") {
   if (!has_tool("coqc")) return;
   compile_scripts();
   const TemporaryFolder folder;
-  const std::string text = shipped("Thresholds.v");
+  const std::string text = theorem_file("Thresholds.v");
   const std::size_t start = text.find("Theorem threshold_at_1");
   std::string goals = text.substr(0, start);
   // "Theorem threshold_at_1 : statement. Proof. tactic. Qed."

@@ -34,7 +34,7 @@ std::optional<Spoiled> spoiled(const coq::Theorem& theorem, const std::string& s
 /// A file with spoiled theorems before the right ones, whose proofs have the same form; from the end, so that
 /// places stay.
 std::string with_spoiled(const std::string& name, std::map<std::string, int>& kinds) {
-  std::string text = coq::without_comments(shipped(name));
+  std::string text = coq::without_comments(theorem_file(name));
   const auto theorems = coq::File(name).theorems;
   for (std::size_t k = theorems.size(); k-- > 0;) {
     const coq::Theorem& theorem = theorems[k];
@@ -61,7 +61,7 @@ TEST_CASE("no theorem written by hand that is spoiled passes Coq") {
                                                      {"Responses.v", "Impact.v", "Initiation.v"}};
   const auto prelude_compiles = [&] {
     for (const char* name : {"Rederive.v", "Solutions.v", "Limits.v"}) {
-      std::ofstream(folder.path / name) << shipped(name);
+      std::ofstream(folder.path / name) << theorem_file(name);
       if (const Result r = coqc(folder.path, name); r.exit_code != 0) return r.err;
     }
     return std::string();
