@@ -62,14 +62,6 @@ std::string spaced(const std::string& text) {
   return std::regex_replace(std::regex_replace(plain, call, "$1 ("), operation, " $& ");
 }
 
-/// Returns the relation of a row: as it is printed, or as it should read.
-Relation relation_of(const Paper& paper, const std::string& id) {
-  const Row& row = row_of(paper, id);
-  const bool is_refuted = row.expected == to_string(Verdict::refuted);
-  return parse_statement(is_refuted ? judged(paper, id).correction : row.claim(),
-                         symbols_in(paper, row.domain));
-}
-
 /// Returns the relation with a term of Coq in place of a symbol or of a quotient of two symbols.
 Relation with_name(Relation relation, const Tree& part, const std::string& term) {
   const Tree name = make_tree(Node::Kind::symbol, term.find(' ') == term.npos ? term : "(" + term + ")");
@@ -80,24 +72,24 @@ Relation with_name(Relation relation, const Tree& part, const std::string& term)
 }
 
 /// Returns the relation that a placeholder names; `inside` is the text between its braces.
-Relation named_relation(const Paper& paper, const std::vector<std::string>& functions,
-                        const std::string& inside) {
+Relation named_relation(const Symbols& symbols, const RelationOf& relation_of,
+                        const std::vector<std::string>& functions, const std::string& inside) {
   static const std::regex form("(\\w+)(?: at (\\w+))?((?:, [^,]+ := [^,]+)*)"), name(", ([^,]+) := ([^,]+)");
   std::smatch parts;
   if (!std::regex_match(inside, parts, form))
     throw std::runtime_error(
         "the form is 'ID at TIME, SYMBOL := TERM', without 'at TIME' or names if there are none");
-  Relation relation = relation_of(paper, parts[1]);
+  Relation relation = relation_of(parts[1]);
   const std::string names = parts[3];
   for (std::sregex_iterator one(names.begin(), names.end(), name), end; one != end; ++one) {
-    const Tree part = parse((*one)[1].str(), paper.symbols);
+    const Tree part = parse((*one)[1].str(), symbols);
     const std::string before = print(relation);
     relation = with_name(relation, part, (*one)[2]);
     if (print(relation) == before) throw std::runtime_error(print(part) + " does not occur in the row");
   }
   for (const std::string& function : functions)
     if (parts[2].matched)
-      relation = with_name(relation, parse(function, paper.symbols), function + " " + parts[2].str());
+      relation = with_name(relation, parse(function, symbols), function + " " + parts[2].str());
   return relation;
 }
 
@@ -115,31 +107,40 @@ constexpr std::array<std::pair<const char*, std::string (*)(const Relation&)>, 3
     {{"row{", whole_text}, {"left{", left_text}, {"right{", right_text}}};
 
 /// Returns the text with a relation in place of each placeholder of one kind.
-std::string with_placeholders(const Paper& paper, const std::vector<std::string>& functions,
-                              const std::string& text, const std::string& opening,
-                              std::string (*write)(const Relation&)) {
+std::string with_placeholders(const Symbols& symbols, const RelationOf& relation_of,
+                              const std::vector<std::string>& functions, const std::string& text,
+                              const std::string& opening, std::string (*write)(const Relation&)) {
   std::string result;
   std::size_t done = 0;
   for (std::size_t at; (at = text.find(opening, done)) != std::string::npos;) {
-    const std::size_t start = at + opening.size(), end = std::min(text.find('}', start), text.size());
+    const std::size_t start = at + opening.size(), end = text.find('}', start);
     const std::string inside = text.substr(start, end - start);
     try {
-      result += text.substr(done, at - done) + spaced(write(named_relation(paper, functions, inside)));
+      if (end == std::string::npos) throw std::runtime_error("the closing brace is missing");
+      result += text.substr(done, at - done) +
+                spaced(write(named_relation(symbols, relation_of, functions, inside)));
     } catch (const std::exception& error) {
       throw std::runtime_error(fmt::format("{}{}}}: {}", opening, inside, error.what()));
     }
-    done = std::min(end + 1, text.size());
+    done = end + 1;
   }
   return result + text.substr(done);
 }
 
 }  // namespace
 
-std::string with_rows(const Paper& paper, const std::vector<std::string>& functions,
-                      const std::string& text) {
+Relation right_form(const Paper& paper, const std::string& id) {
+  const Row& row = row_of(paper, id);
+  const bool is_refuted = row.expected == to_string(Verdict::refuted);
+  return parse_statement(is_refuted ? judged(paper, id).correction : row.claim(),
+                         symbols_in(paper, row.domain));
+}
+
+std::string with_rows(const Symbols& symbols, const RelationOf& relation_of,
+                      const std::vector<std::string>& functions, const std::string& text) {
   std::string result = text;
   for (const auto& [opening, write] : placeholders)
-    result = with_placeholders(paper, functions, result, opening, write);
+    result = with_placeholders(symbols, relation_of, functions, result, opening, write);
   return result;
 }
 

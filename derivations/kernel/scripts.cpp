@@ -99,10 +99,10 @@ std::string shipped(const std::string& name) {
 }
 
 Theorems theorems_of(const Paper& paper) {
-  Theorems result{.prelude = {"Rederive.v", "Intervals.v", "Bounds.v"}, .assumptions = {}};
+  Theorems result;
   if (paper.theorems.empty()) return result;
   TomlTable list(data_folder() / "kernel" / paper.theorems);
-  for (const std::string& file : list.lines("prelude")) result.prelude.push_back(file);
+  result.prelude = list.lines("prelude");
   result.functions_of_time = list.lines("functions_of_time");
   result.assumptions = list.named_texts("assumptions");
   for (TomlTable& table : list.tables("file")) {
@@ -116,7 +116,8 @@ Theorems theorems_of(const Paper& paper) {
 
 std::string theorem_file(const Paper& paper, const std::string& file) {
   const Theorems theorems = theorems_of(paper);
-  std::string text = with_rows(paper, theorems.functions_of_time, shipped(file));
+  const auto relation_of = [&](const std::string& id) { return right_form(paper, id); };
+  std::string text = with_rows(paper.symbols, relation_of, theorems.functions_of_time, shipped(file));
   for (const Lemma& theorem : theorems.lemmas)
     if (theorem.file == file && !theorem.from.empty())
       text.insert(place_of(theorem, text), fmt::format("\n(* from {} *)", fmt::join(theorem.from, ", ")));
@@ -133,8 +134,9 @@ std::string text_of(const Paper& paper, const Lemma& theorem) {
 std::map<std::string, std::string> files_of(const Paper& paper, const std::vector<Lemma>& lemmas) {
   std::map<std::string, std::string> files;
   std::string project = "-R . Rederive\n";
-  for (const std::string& name : theorems_of(paper).prelude)
-    files[name] = shipped(name), project += name + "\n";
+  std::vector<std::string> needed(prelude.begin(), prelude.end());
+  for (const std::string& name : theorems_of(paper).prelude) needed.push_back(name);
+  for (const std::string& name : needed) files[name] = shipped(name), project += name + "\n";
   for (const Lemma& lemma : lemmas) {
     if (!files.contains(lemma.file)) {
       files[lemma.file] = lemma.ships ? theorem_file(paper, lemma.file) : imports;

@@ -1,6 +1,7 @@
 // Writes the ledger as a folder of Coq scripts.
 #pragma once
 
+#include <array>
 #include <derivations/paper/ledger.hpp>
 #include <filesystem>
 
@@ -31,11 +32,10 @@ inline bool is_skipped(const Lemma& lemma) { return lemma.text.empty() && !lemma
 
 /// The theorems about a paper that are written by hand.
 struct Theorems {
-  std::vector<std::string> prelude;                 ///< the files that all lemmas need, in the order in which
-                                                    ///< they compile; those of the paper are last
-  std::vector<std::string> files = {};              ///< in the order in which they compile
-  std::vector<std::string> functions_of_time = {};  ///< the symbols that are functions in the theorems
-  std::map<std::string, std::string> assumptions;   ///< premises that are not rows: name → sentence
+  std::vector<std::string> prelude = {};  ///< the files that they need beside the prelude of all lemmas
+  std::vector<std::string> files = {};    ///< in the order in which they compile
+  std::vector<std::string> functions_of_time = {};      ///< the symbols that are functions in the theorems
+  std::map<std::string, std::string> assumptions = {};  ///< premises that are not rows: name → sentence
   std::vector<Lemma> lemmas = {};
 };
 
@@ -49,6 +49,8 @@ std::string theorem_file(const Paper& paper, const std::string& file);
 /// if its file does not contain it.
 std::string text_of(const Paper& paper, const Lemma& theorem);
 
+/// The files that all lemmas need, in the order in which they compile.
+inline constexpr std::array prelude{"Rederive.v", "Intervals.v", "Bounds.v"};
 /// The first line of every file of lemmas.
 inline constexpr const char* imports = "From Rederive Require Import Rederive Bounds.\n";
 

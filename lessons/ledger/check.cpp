@@ -130,7 +130,10 @@ std::vector<Checked> check(const Paper& paper, const std::vector<Lemma>& lemmas,
   const Folder folder;
   write_scripts(paper, folder.path, lemmas);
   const Theorems theorems = theorems_of(paper);
-  for (const std::string& name : theorems.prelude) {
+  std::vector<std::string> needed(prelude.begin(), prelude.end());
+  if (std::ranges::any_of(lemmas, &Lemma::ships))
+    needed.insert(needed.end(), theorems.prelude.begin(), theorems.prelude.end());
+  for (const std::string& name : needed) {
     progress(name);
     if (const Said run = compile(folder, name); run.status != 0)
       throw std::runtime_error("coqc refuses " + name +

@@ -1,8 +1,6 @@
 (* The equation of motion, from positions. Derivatives are Coquelicot's; the numbers are the paper's, and R' is its R.
-   Before each derivation stands from what: the rows whose equations are its hypotheses, and what it assumes.
-   newton, euler: the laws of motion. rotation: the block is rigid and turns about a corner. linearised: angles are
-   small. rest: the block is at rest at theta = 0. criterion: the motion that just overturns tends to the
-   equilibrium at theta = alpha (or - alpha), where it would stand on its corner. *)
+   row{4a at t} is the row (4a) of the paper, which is written here before Coq reads the file. From which rows and
+   assumptions each theorem follows is in theorems.toml. *)
 From Rederive Require Import Rederive Solutions.
 From Coquelicot Require Import Coquelicot.
 

@@ -78,7 +78,8 @@ Theorem derivation_43a y_end : row{39c} -> (y_end = 2 * b <-> h = b).
 Proof. intros ->; apply (eq_by 2); [ lra | ring ]. Qed.
 Theorem derivation_46a thetadot_minus thetadot_plus :
   0 < m -> 0 < R' ->
-  (right{43b} = right{45b} <-> row{46a}).
+  (right{43b} = right{45b} <->
+   row{46a}).
 Proof. intros M L; apply (eq_by (4 / 3 * m * R' ^ 2)); [ nz | field ]. Qed.
 End Block.
 (* The impact elsewhere: an impulse P at a distance d from the new corner lifts the centre of mass, whose

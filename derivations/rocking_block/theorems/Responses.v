@@ -92,7 +92,8 @@ Ltac fractions := assert (Q := squares); unfold s; field; repeat split; try lra;
 (* theta < 0. *)
 Theorem derivation_57a :
   (forall t, is_derive thetadot t (p ^ 2 * theta t + (right{56a}))) <->
-  exists A_1 A_2, forall t, row{57a at t, omega_p/p := s}.
+  exists A_1 A_2, forall t,
+  row{57a at t, omega_p/p := s}.
 Proof. both_ways 0 (sine_solves (- alpha)). Qed.
 Section Response_a.
 Variables A_1 A_2 : R.
@@ -124,7 +125,8 @@ End Response_a.
 (* theta > 0. *)
 Theorem derivation_57b :
   (forall t, is_derive thetadot t (p ^ 2 * theta t + (right{56b}))) <->
-  exists A_3 A_4, forall t, row{57b at t, omega_p/p := s}.
+  exists A_3 A_4, forall t,
+  row{57b at t, omega_p/p := s}.
 Proof. both_ways 0 (sine_solves (alpha)). Qed.
 Section Response_b.
 Variables A_3 A_4 : R.

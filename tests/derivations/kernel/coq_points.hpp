@@ -56,11 +56,6 @@ inline Meaning polynomial(World& world, const std::string& name, unsigned long s
 /// negative.
 inline void put_anywhere(World& world, const Theorem& theorem, unsigned long seed, int side,
                          const std::function<bool(const std::string&)>& has_sign) {
-  world.any = [&world, seed, has_sign, functions = theorem.functions](const std::string& name,
-                                                                      bool is_function) -> Meaning {
-    if (is_function || functions.contains(name)) return polynomial(world, name, seed);
-    return coq::number(fraction_of(name, seed, has_sign(name)));
-  };
   world.values["t"] = coq::number(fraction_of("t", seed, has_sign("t")));
   for (const Item& item : theorem.around) {
     if (item.kind == Item::Kind::function) world.values[item.name] = polynomial(world, item.name, seed);

@@ -46,13 +46,6 @@ inline bool is_close(const Ball& x, const Ball& y, double tolerance = 1e-40) {
   return std::abs((x - y).to_double()) <= tolerance * size;
 }
 
-/// One relation of a proposition, and what its sides are worth. A derivative ("d"), an integral ("d") and a
-/// limit are equations; of |a - b| <= c there is "a ~ b", too.
-struct Atom {
-  std::string op;
-  std::optional<Ball> left, right;
-};
-
 using LocalPtr = std::shared_ptr<const struct Local>;
 struct Local {
   std::string name;
@@ -66,12 +59,6 @@ class World {
   explicit World(const std::vector<Item>& items);
   std::map<std::string, Meaning> values;
   std::map<std::string, Text> definitions;
-  /// What a bound name is while atoms are gathered, and otherwise where a proposition is of all numbers: some
-  /// of them.
-  std::function<Meaning(const std::string& name, bool is_function)> any;
-  std::vector<Atom>* atoms = nullptr;
-  bool wants_hypotheses = false;  ///< among the atoms
-  int sample = 0;
 
   Meaning value(const Text& text, const LocalPtr& scope = nullptr);
   Ball number(const Text& text, const LocalPtr& scope = nullptr) { return number_in(value(text, scope)); }
@@ -152,11 +139,10 @@ inline Meaning World::relation(const std::string& op, const std::function<Ball()
     }
   };
   const auto l = side(left), r = side(right);
-  if (atoms != nullptr) atoms->push_back({op, l, r});
   if (!l || !r) return Meaning::of(std::nullopt);
   const bool is_same = is_close(*l, *r);
   if (!is_same && is_close(*l, *r, 1e-15)) return Meaning::of(std::nullopt);  // a residual, or a difference?
-  if (op == "=" || op == "~" || op == "d") return Meaning::of(is_same);
+  if (op == "=") return Meaning::of(is_same);
   if (op == "<>") return Meaning::of(!is_same);
   return Meaning::of(is_same ? op.size() == 2 : (op[0] == '<') == (*l < *r));
 }
@@ -193,7 +179,6 @@ inline Meaning World::quantified(const Text& text, const LocalPtr& scope, std::s
   const auto with = [&](const Meaning& x) {
     return quantified(text, std::make_shared<const Local>(Local{name, x, scope}), k + 1);
   };
-  if (atoms != nullptr) return with(any(name, is_function));
   const Text& body = text->parts[0];  // forall x, x = E -> …
   if (text->head == "forall" && body->head == "->" && body->parts[0]->head == "=" &&
       body->parts[0]->parts[0]->head == name)
@@ -220,17 +205,16 @@ inline Meaning World::call(const Text& text, const LocalPtr& scope) {
   };
   if (name == "is_derive")
     return relation(
-        "d", [&] { return derivative(value(parts[1], scope), number(parts[2], scope)); }, as(3));
+        "=", [&] { return derivative(value(parts[1], scope), number(parts[2], scope)); }, as(3));
   if (name == "is_RInt")
     return relation(
-        "d",
+        "=",
         [&] { return integral(value(parts[1], scope), number(parts[2], scope), number(parts[3], scope)); },
         as(4));
   if (name == "tends_to") {
     const auto at_time = [&](const Meaning& t) {
       return [&, t] { return number_in(at(value(parts[1], scope), t)); };
     };
-    if (atoms != nullptr) return relation("=", at_time(any("t", false)), as(2));
     const auto p = values.find("p");
     const Ball time = coq::number(40) / (p == values.end() ? coq::number(1) : number_in(p->second));
     const Ball late = at_time(time)() - number(parts[2], scope);
@@ -264,8 +248,7 @@ inline Meaning World::value(const Text& text, const LocalPtr& scope) {
     return power;
   }
   const auto truth = [&](std::size_t k) { return holds(parts[k], scope); };
-  if (head == "->") {  // its hypotheses are no statement of a theorem
-    if (atoms != nullptr && !wants_hypotheses) return value(parts[1], scope);
+  if (head == "->") {
     auto first = truth(0), second = truth(1);
     if (first == false) second = true;
     return Meaning::of(second == true ? second : first ? second : std::nullopt);
@@ -279,13 +262,6 @@ inline Meaning World::value(const Text& text, const LocalPtr& scope) {
     const bool stops = head == "\\/";
     if (first == stops || second == stops) return Meaning::of(stops);
     return Meaning::of(first && second ? std::optional(!stops) : std::nullopt);
-  }
-  if (atoms != nullptr && head == "<=" && parts[0]->head == "apply" && parts[0]->parts[0]->head == "Rabs") {
-    const Text& difference = parts[0]->parts[1];  // small: nearly an equation
-    if (difference->head == "-")
-      relation(
-          "~", [&] { return number(difference->parts[0], scope); },
-          [&] { return number(difference->parts[1], scope); });
   }
   return relation(
       head, [&] { return side(0); }, [&] { return side(1); });
