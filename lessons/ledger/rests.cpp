@@ -48,7 +48,7 @@ std::vector<Support> supports_of(const Paper& paper, const std::vector<Entry>& e
   const auto assumptions = theorems_of(paper).assumptions;
   for (const std::string& name : names)
     supports.push_back({name, By::name, {assumptions.at(name)}, {}, false});
-  // A row may stand before one that it follows from: until nothing changes.
+  // A row may come before one that it follows from, so this is repeated until nothing changes.
   const auto places = places_of(supports);
   for (bool has_changed = true; has_changed;) {
     has_changed = false;
