@@ -4,6 +4,7 @@
 #include <glpk.h>
 
 #include <algorithm>
+#include <derivations/numbers/ball.hpp>
 #include <derivations/sign/certificate.hpp>
 #include <memory>
 #include <set>
