@@ -6,14 +6,13 @@
 TEST_CASE("every file is as clang-format writes it, and a line that is not is seen") {
   if (!has_tool("clang-format")) return;
   const auto unformatted = [](const std::string& folder, const std::string& names) {
-    return run_program("/bin/bash",
-                       {"-c", "cd " + quoted(folder) + " && find " + names +
+    return run_script(folder, "find " + names +
                                   " -name '*.[ch]pp' -o -name '*.cc' | sort | xargs clang-format "
-                                  "--style=file:" REDERIVE_SOURCE "/.clang-format --dry-run -Werror"})
+                                  "--style=file:" REDERIVE_SOURCE "/.clang-format --dry-run -Werror")
         .err;
   };
   CHECK(unformatted(REDERIVE_SOURCE, "derivations numerics lessons tests") == "");
   const TemporaryFolder folder;
-  std::ofstream(folder.path / "slip.cpp") << "int  twice(int x){return 2*x;}\n";
-  CHECK(unformatted(folder.path, ".").find("slip.cpp:1:4") != std::string::npos);
+  write_file(folder.path / "slip.cpp", "int  twice(int x){return 2*x;}\n");
+  CHECK(contains(unformatted(folder.path, "."), "slip.cpp:1:4"));
 }

@@ -52,13 +52,13 @@ void make_seeds() {
 }
 
 /// How many inputs each fuzzer gets; each takes about 10 s.
-const std::map<std::string, int> inputs{
-    {"answers", 2500}, {"equations", 13000}, {"exercises", 600}, {"options", 9000},
-    {"prove", 900},    {"records", 9000},    {"syntax", 5000}};
+const std::map<std::string, int> inputs{{"answers", 2500}, {"equations", 13000}, {"exercises", 600},
+                                        {"options", 9000}, {"prove", 900},       {"records", 9000},
+                                        {"syntax", 5000}};
 
-/// Runs a fuzzer, at the same addresses each time where the system allows that: the order of GiNaC's sums, and
-/// so what is new to the fuzzer, depends on them. Inputs on which it fails are kept in build/fuzz/failed. An
-/// input that takes half an hour hangs.
+/// Runs a fuzzer, at the same addresses each time where the system allows that: the order of GiNaC's sums,
+/// and so what is new to the fuzzer, depends on them. Inputs on which it fails are kept in build/fuzz/failed.
+/// An input that takes half an hour hangs.
 Result run_fuzzer(const std::string& name, const std::string& options) {
   const TemporaryFolder corpus;  // empty: what was met in another run does not count
   const fs::path failed = build / "failed" / name;
@@ -94,8 +94,8 @@ TEST_CASE("what fuzzers found is mended") {
 TEST_CASE("a fuzzer finds nothing in a fixed number of inputs" * doctest::skip()) {
   if (!has_tool("clang++")) return;
   const std::string name = std::getenv("FUZZER");
-  const Result run = run_fuzzer(name, fmt::format("-seed=1 -runs={} new {}", inputs.at(name),
-                                                  quoted(build / "seeds" / name)));
+  const Result run = run_fuzzer(
+      name, fmt::format("-seed=1 -runs={} new {}", inputs.at(name), quoted(build / "seeds" / name)));
   CHECK_MESSAGE(run.exit_code == 0, run.err);
   const std::size_t last = run.err.rfind("cov: "), begin = run.err.rfind('\n', last) + 1;
   REQUIRE_MESSAGE(last != std::string::npos, run.err);

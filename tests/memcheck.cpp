@@ -1,7 +1,7 @@
 // The memcheck tool of valgrind on the numerics and on the grading of a class.
 #include <doctest/doctest.h>
 
-#include "run_program.hpp"
+#include <tests/run_program.hpp>
 
 namespace fs = std::filesystem;
 
@@ -10,11 +10,8 @@ namespace {
 /// Returns what memcheck says of a command and of all processes that it starts; "" if it finds nothing.
 std::string faults(const std::string& command) {
   const TemporaryFolder folder;
-  const Result run =
-      run_program("/bin/bash",
-                  {"-c", "export PATH=" + quoted(REDERIVE_PROGRAMS) +
-                             ":$PATH; valgrind --quiet --error-exitcode=99 --trace-children=yes --log-file=" +
-                             quoted(folder.path / "%p") + " " + command});
+  const Result run = run_script(".", "valgrind --quiet --error-exitcode=99 --trace-children=yes --log-file=" +
+                                         quoted(folder.path / "%p") + " " + command);
   std::string said = run.exit_code == 0 ? "" : "ended with " + std::to_string(run.exit_code) + ": " + run.err;
   for (const auto& file : fs::directory_iterator(folder.path)) said += read_file(file.path());
   return said;
@@ -38,11 +35,12 @@ TEST_CASE("memcheck finds nothing in thresholds, spectra, maps and histories") {
 TEST_CASE("memcheck finds nothing in the grading of a class") {
   if (!has_tool("valgrind")) return;
   const TemporaryFolder folder;
-  const auto write = [&](const fs::path& name, const std::string& text) {
-    fs::create_directories((folder.path / name).parent_path());
-    std::ofstream(folder.path / name) << text;
-  };
-  // The exercises of two lessons alone: others need numbers of long double, which valgrind computes as double.
+  for (const char* student : {"anna", "bert"}) fs::create_directories(folder.path / "class" / student);
+  write_file(folder.path / "class/anna/restitution.txt", "1 - 3/2*sin(alpha)^2\n");
+  write_file(folder.path / "class/bert/restitution.txt", "cos(2*alpha)\n");
+  write_file(folder.path / "class/bert/momentum.txt", "sin(((\n");
+  // The exercises of two lessons alone: others need numbers of long double, which valgrind computes as
+  // double.
   fs::create_directories(folder.path / "bin");
   fs::copy(REDERIVE_PROGRAMS "/exercises", folder.path / "bin");
   fs::copy(REDERIVE_PROGRAMS "/../share", folder.path / "share", fs::copy_options::recursive);
@@ -51,25 +49,22 @@ TEST_CASE("memcheck finds nothing in the grading of a class") {
     if (const std::string name = file.path().filename();
         name.starts_with("lesson-") && name != "lesson-02.toml" && name != "lesson-05.toml")
       fs::remove(file.path());
-  write("class/anna/restitution.txt", "1 - 3/2*sin(alpha)^2\n");
-  write("class/bert/restitution.txt", "cos(2*alpha)\n");
-  write("class/bert/momentum.txt", "sin(((\n");
   const std::string room = quoted(folder.path);
   CHECK(faults(quoted(folder.path / "bin/exercises") + " grade " + room + "/class --gradebook " + room +
                "/book.csv --feedback " + room + "/pages --report " + room + "/report.html") == "");
   const std::string book = read_file(folder.path / "book.csv");
   CAPTURE(book);
-  CHECK(book.find("\nanna,,,,,1,") != std::string::npos);
-  CHECK(book.find("?") == std::string::npos);  // each was judged
+  CHECK(contains(book, "\nanna,,,,,1,"));
+  CHECK_FALSE(contains(book, "?"));  // each was judged
 }
 
 TEST_CASE("memcheck sees a fault of a process that another one forked") {
   if (!has_tool("valgrind")) return;
   const TemporaryFolder folder;
-  std::ofstream(folder.path / "slip.cpp")
-      << "#include <unistd.h>\nint main() {\n  if (fork() != 0) return 0;\n"
-         "  int* p = new int(1);\n  delete p;\n  _exit(*p);\n}\n";
+  write_file(folder.path / "slip.cpp",
+             "#include <unistd.h>\nint main() {\n  if (fork() != 0) return 0;\n"
+             "  int* p = new int(1);\n  delete p;\n  _exit(*p);\n}\n");
   const std::string program = folder.path / "slip";
   REQUIRE(run_program("/usr/bin/c++", {"-O0", folder.path / "slip.cpp", "-o", program}).exit_code == 0);
-  CHECK(faults(program).find("Invalid read") != std::string::npos);
+  CHECK(contains(faults(program), "Invalid read"));
 }

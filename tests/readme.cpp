@@ -1,7 +1,6 @@
 // Every command in the README is run, and every line of output that it shows must come out.
 #include <doctest/doctest.h>
 
-#include <sstream>
 #include <tests/run_program.hpp>
 
 namespace {
@@ -27,7 +26,7 @@ std::vector<Shown> console_blocks(const std::string& readme) {
   return shown;
 }
 
-/// What a test of the test run may not do again.
+/// Returns whether a command builds or tests, which a test must not do again.
 bool is_the_test_run(const std::string& command) {
   return command.starts_with("tests/run") || command.starts_with("ctest") ||
          command.starts_with("git clone") || command.starts_with("cmake");
@@ -48,14 +47,12 @@ TEST_CASE("every command in the READMEs works and prints what they show") {
   for (const Shown& block : shown) {
     if (is_the_test_run(block.command)) continue;
     INFO(block.command);
-    const std::string script = "cd '" + folder.path.string() + "' && ln -sfn '" + root +
-                               "'/* . && PATH='" REDERIVE_PROGRAMS "':\"$PATH\" && export PATH && " +
+    const std::string script = "ln -sfn '" + root + "'/* . && " +
                                (block.command.starts_with("lessons/run") ? "cd '" + root + "' && " : "") +
                                block.command;
-    const Result r = run_program("/bin/bash", {"-c", script});
+    const Result r = run_script(folder.path, script);
     CHECK_MESSAGE(r.exit_code == 0, r.err);
-    for (const std::string& line : block.output)
-      CHECK_MESSAGE(r.out.find(line) != std::string::npos, "not printed: ", line);
+    for (const std::string& line : block.output) CHECK_MESSAGE(contains(r.out, line), "not printed: ", line);
     ++run;
   }
   CHECK(run >= 6);

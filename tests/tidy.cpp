@@ -1,11 +1,11 @@
-// clang-tidy, as .clang-tidy sets it, on some files: the target `tidy` takes all.
+// clang-tidy, as .clang-tidy sets it, on some files; the target `tidy` reads all.
 #include <doctest/doctest.h>
 
 #include <tests/run_program.hpp>
 
 namespace {
 
-/// What it says of a file of the project, or of another one; empty if nothing.
+/// Returns what clang-tidy says of a file; "" if it finds nothing.
 std::string complaints(const std::string& file) {
   const Result run = run_program(
       "/bin/bash",

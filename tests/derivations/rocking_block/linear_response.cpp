@@ -5,7 +5,6 @@
 
 using namespace rederive;
 using namespace rederive::rocking_block;
-using namespace rederive::rocking_block;
 using GiNaC::ex;
 using GiNaC::lst;
 
