@@ -175,7 +175,8 @@ TEST_CASE(
         CHECK_MESSAGE(error < 1, calls[k].text);
         worst = std::max(worst, error);
       }
-      MESSAGE(language[0], std::string(sharing ? ", shared" : ""), ": worst error ", worst, " of the condition estimate");
+      MESSAGE(language[0], std::string(sharing ? ", shared" : ""), ": worst error ", worst,
+              " of the condition estimate");
     }
   });
 }

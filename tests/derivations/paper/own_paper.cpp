@@ -248,8 +248,7 @@ TEST_CASE("the series of what is derived are compared, and an exact match is cal
 
 // acosh(1/(1 - alpha/theta_0)) for acosh(1/(1 - theta_0/alpha)): where 0 < theta_0 < alpha the first has no
 // value.
-TEST_CASE(
-    "a printed form without a value wherever the derived one has some is refuted, and so are slips") {
+TEST_CASE("a printed form without a value wherever the derived one has some is refuted, and so are slips") {
   const auto symbols = [] {
     declare("T_0", "(0, inf)", "s"), declare("L_1", "(0, inf)", "m"), declare("theta_0", "(0, alpha)");
   };
