@@ -5,7 +5,6 @@
 #include <lessons/exercises/units.hpp>
 #include <lessons/exercises/why_wrong.hpp>
 #include <lessons/page/prose.hpp>
-#include <regex>
 
 namespace rederive::classroom {
 namespace {
@@ -102,11 +101,6 @@ Relation read_answer(const Exercise& exercise, const std::string& text) {
   if (is_equation && is_named) checked.sides.erase(checked.sides.begin());
   check_symbols(exercise, checked);
   return meant;
-}
-
-std::string as_typed(const std::string& printed) {
-  static const std::regex in_c("fabs\\(");
-  return std::regex_replace(printed, in_c, "abs(");
 }
 
 Opinion judge_formula(const Prepared& prepared, const std::string& text) {

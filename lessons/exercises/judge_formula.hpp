@@ -13,8 +13,6 @@ bool is_asked_for(const Exercise& exercise, const Tree& left);
 /// Throws SyntaxError unless the relation may follow that name: =, or the bound of the exercise, strict or
 /// not.
 void check_relation(const Exercise& exercise, const std::string& relation);
-/// Returns what is printed with functions as students type them: abs, not fabs.
-std::string as_typed(const std::string& printed);
 
 Opinion judge_formula(const Prepared& prepared, const std::string& text);
 Opinion judge_formula(const Prepared& prepared, const Relation& read);

@@ -4,7 +4,6 @@
 #include <array>
 #include <cstdio>
 #include <derivations/program/program.hpp>
-#include <lessons/exercises/judge_formula.hpp>
 #include <lessons/exercises/show.hpp>
 #include <lessons/exercises/terms.hpp>
 #include <lessons/page/prose.hpp>

@@ -3,6 +3,7 @@
 #include <derivations/language/lower.hpp>
 #include <derivations/numbers/interval.hpp>
 #include <lessons/exercises/trees.hpp>
+#include <regex>
 
 namespace rederive::classroom {
 namespace {
@@ -39,6 +40,11 @@ bool close(double left, double right) {
 }
 
 }  // namespace
+
+std::string as_typed(const std::string& printed) {
+  static const std::regex in_c("fabs\\(");
+  return std::regex_replace(printed, in_c, "abs(");
+}
 
 Tree put_in(const Tree& tree, const std::vector<Given>& given, const Symbols& symbols) {
   Tree result = tree;

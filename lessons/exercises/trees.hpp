@@ -13,6 +13,9 @@ namespace rederive::classroom {
 
 using namespace edits;
 
+/// Returns what is printed with functions as students type them: abs, not fabs.
+std::string as_typed(const std::string& printed);
+
 /// Returns the tree or relation with each symbol of `given` replaced by its value.
 Tree put_in(const Tree& tree, const std::vector<Given>& given, const Symbols& symbols);
 Relation put_in(const Relation& relation, const std::vector<Given>& given, const Symbols& symbols);

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cctype>
 #include <derivations/decide/problem.hpp>
-#include <lessons/exercises/judge.hpp>
 #include <lessons/exercises/trees.hpp>
 #include <lessons/exercises/units.hpp>
 #include <limits>
