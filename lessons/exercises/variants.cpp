@@ -5,7 +5,7 @@
 #include <derivations/decide/problem.hpp>
 #include <derivations/program/toml_table.hpp>
 #include <lessons/exercises/variants.hpp>
-#include <ranges>
+#include <lessons/page/prose.hpp>
 #include <regex>
 
 namespace rederive::classroom {
@@ -56,7 +56,7 @@ std::vector<Choice> cases_of(TomlTable& vary, const std::string& key) {
   }
   if (cases.empty()) throw std::runtime_error("the list is empty");
   const auto names = [](const Choice& one) {
-    return fmt::format("{}", fmt::join(std::views::keys(one), ", "));
+    return joined(one, ", ", [](const auto& entry) { return entry.first; });
   };
   for (const Choice& one : cases)
     if (names(one) != names(cases.front()))
