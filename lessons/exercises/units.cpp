@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cctype>
 #include <derivations/decide/problem.hpp>
+#include <derivations/language/print.hpp>
 #include <lessons/exercises/trees.hpp>
 #include <lessons/exercises/units.hpp>
 #include <limits>
