@@ -133,28 +133,26 @@ Symmetric covariance_of(double a, double b, const std::vector<Level>& levels,
   return covariance;
 }
 
-/// Why there is no curve: of one variable, the likelihood has a maximum where some outcomes of each kind lie
-/// on either side of some of the other (M. J. Silvapulle, J. R. Statist. Soc. B 43 (1981) 310-313).
-std::string why_not(const std::vector<double>& peaks, const std::vector<Level>& levels) {
+/// Returns why there is no curve. In one variable, the likelihood has a maximum if some outcomes of each kind
+/// are on either side of some of the other (M. J. Silvapulle, J. R. Statist. Soc. B 43 (1981) 310-313).
+std::optional<NoCurve> why_not(const std::vector<double>& peaks, const std::vector<Level>& levels) {
+  using Kind = NoCurve::Kind;
   std::size_t first_over = levels.size(), first_safe = levels.size(), last_safe = 0;
   for (std::size_t j = 0; j < levels.size(); ++j) {
     if (levels[j].z > 0) first_over = std::min(first_over, j);
     if (levels[j].z < levels[j].n) first_safe = std::min(first_safe, j), last_safe = j;
   }
-  if (first_over == levels.size()) return fmt::format("none overturns up to {:.6g}", peaks.back());
-  if (first_safe == levels.size()) return fmt::format("all overturn from {:.6g} on", peaks.front());
-  if (levels.size() < 2) return "one amplitude makes no curve";
-  if (levels.front().n < 2) return "one record makes no curve";
-  if (first_over > last_safe)
-    return fmt::format("none overturns up to {:.6g} and all do from {:.6g} on: no amplitude lies between",
-                       peaks[last_safe], peaks[first_over]);
-  if (first_over == last_safe)
-    return fmt::format("none overturns below {:.6g} and all do above: only one amplitude lies between",
-                       peaks[first_over]);
+  if (first_over == levels.size()) return NoCurve{Kind::none_overturns, peaks.back()};
+  if (first_safe == levels.size()) return NoCurve{Kind::all_overturn, peaks.front()};
+  if (levels.size() < 2) return NoCurve{Kind::one_amplitude};
+  if (levels.front().n < 2) return NoCurve{Kind::one_record};
+  if (first_over > last_safe) return NoCurve{Kind::none_between, peaks[last_safe], peaks[first_over]};
+  if (first_over == last_safe) return NoCurve{Kind::one_between, peaks[first_over]};
   double growth = 0;  // of the likelihood, from a share that is the same at all amplitudes
   for (const Level& level : levels)
     for (const Level& other : levels) growth += (level.z - other.z) * (level.u - other.u);
-  return growth > 1e-12 * levels.front().n ? "" : "the share does not grow with the amplitude";
+  if (growth > 1e-12 * levels.front().n) return std::nullopt;
+  return NoCurve{Kind::share_falls};
 }
 
 Estimate about(double value, double wide, const auto& scale) {
@@ -162,6 +160,28 @@ Estimate about(double value, double wide, const auto& scale) {
 }
 
 }  // namespace
+
+std::string words_for(const NoCurve& reason) {
+  switch (reason.kind) {
+    case NoCurve::Kind::none_overturns:
+      return fmt::format("none overturns up to {:.6g}", reason.low);
+    case NoCurve::Kind::all_overturn:
+      return fmt::format("all overturn from {:.6g} on", reason.low);
+    case NoCurve::Kind::one_amplitude:
+      return "one amplitude makes no curve";
+    case NoCurve::Kind::one_record:
+      return "one record makes no curve";
+    case NoCurve::Kind::none_between:
+      return fmt::format("none overturns up to {:.6g} and all do from {:.6g} on: no amplitude lies between",
+                         reason.low, reason.high);
+    case NoCurve::Kind::one_between:
+      return fmt::format("none overturns below {:.6g} and all do above: only one amplitude lies between",
+                         reason.low);
+    case NoCurve::Kind::share_falls:
+      return "the share does not grow with the amplitude";
+  }
+  return "";
+}
 
 double peak_of(const Record& record, Peak peak) {
   double largest = 0, velocity = 0;
@@ -225,13 +245,13 @@ LognormalFit lognormal_fit(const std::vector<double>& peaks, const std::vector<s
     levels.push_back({std::log(peaks[j]) - middle, 0, static_cast<int>(outcomes.size())});
     for (const auto& record : outcomes) levels[j].z += record[j] != 0;
   }
-  if (std::string why = why_not(peaks, levels); !why.empty()) return {{}, std::move(why)};
+  if (const auto why = why_not(peaks, levels)) return {.curve = {}, .why_none = why};
   const auto [a, b] = most_likely_line(levels);
   const auto [aa, ab, bb] = covariance_of(a, b, levels, outcomes);
-  return {
-      LognormalCurve(a - b * middle, b, {aa - 2 * middle * ab + middle * middle * bb, ab - middle * bb, bb},
-                     gsl_cdf_tdist_Pinv(0.975, static_cast<double>(outcomes.size()) - 1)),
-      ""};
+  return {.curve = LognormalCurve(a - b * middle, b,
+                                  {aa - 2 * middle * ab + middle * middle * bb, ab - middle * bb, bb},
+                                  gsl_cdf_tdist_Pinv(0.975, static_cast<double>(outcomes.size()) - 1)),
+          .why_none = {}};
 }
 
 }  // namespace rederive::numerics

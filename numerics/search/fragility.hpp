@@ -12,11 +12,12 @@ namespace rederive::numerics {
 /// What a record is scaled by: its largest |acceleration|, in g, or |velocity|, in m/s.
 enum class Peak { acceleration, velocity };
 
-/// The velocity is that of ground at rest before the record, whose samples are joined by straight lines.
+/// Returns the peak of a record. Its samples are joined by straight lines, and the ground is at rest before
+/// them.
 double peak_of(const Record& record, Peak peak);
 
-/// Whether the record overturns the block when it is scaled to each of these peaks.
-/// Throws std::invalid_argument for a record of a peak that cannot be scaled: 0.
+/// Returns, for each of `peaks`, 1 if the record scaled to this peak overturns the block, else 0. Throws
+/// std::invalid_argument if the peak of the record is 0.
 std::vector<char> overturned_at(const Block& block, Model model, const Record& record, Peak peak,
                                 const std::vector<double>& peaks);
 
@@ -33,7 +34,8 @@ struct LineCovariance {
 /// The probability of overturning Phi((ln x - ln median)/beta) at a peak x.
 class LognormalCurve {
  public:
-  /// Phi(intercept + slope ln x). Intervals reach so many standard deviations.
+  /// Makes the curve Phi(intercept + slope ln x), whose intervals reach `reach` standard deviations to either
+  /// side.
   LognormalCurve(double intercept, double slope, const LineCovariance& covariance, double reach);
 
   Estimate median() const;
@@ -41,7 +43,7 @@ class LognormalCurve {
   Estimate at(double peak) const;
 
  private:
-  /// Of what has these derivatives by intercept and slope.
+  /// Returns half the interval of a quantity that has these derivatives by intercept and slope.
   double width(double by_intercept, double by_slope) const;
 
   double intercept_, slope_;
@@ -49,16 +51,34 @@ class LognormalCurve {
   double reach_;
 };
 
-struct LognormalFit {
-  std::optional<LognormalCurve> curve;
-  std::string why_none;  ///< where the likelihood has no maximum, or that of no fragility
+/// Why outcomes have no curve: the likelihood has no maximum, or one that is no fragility.
+struct NoCurve {
+  enum class Kind {
+    none_overturns,  ///< up to the peak `low`
+    all_overturn,    ///< from the peak `low` on
+    one_amplitude,   ///< there is only one peak
+    one_record,      ///< there is only one record
+    none_between,    ///< none overturns up to `low`, and all do from `high` on
+    one_between,     ///< none overturns below `low`, and all do above
+    share_falls      ///< the share of the records does not grow with the peak
+  };
+  Kind kind;
+  double low = 0, high = 0;
 };
 
-/// Fits outcomes[record][level] at increasing positive `peaks` by maximum likelihood, eq (11) of Baker. One
-/// record is there at all levels, so that its outcomes are not independent, as they are taken to be there:
-/// that does not bias the curve, but its intervals have to come from the scatter between records. They are
-/// those of Student's t by the jackknife: what one Newton step changes when a record is left out (R. G.
-/// Miller, Biometrika 61 (1974) 1-15; S. R. Lipsitz et al., Biometrics 50 (1994) 842-846).
+/// Returns the words for it: "none overturns up to 0.5".
+std::string words_for(const NoCurve& reason);
+
+struct LognormalFit {
+  std::optional<LognormalCurve> curve;
+  std::optional<NoCurve> why_none;  ///< if there is no curve
+};
+
+/// Returns the curve of greatest likelihood, eq (11) of Baker, for outcomes[record][level] at increasing
+/// positive `peaks`. That equation takes all outcomes as independent, but each record is scaled to all
+/// levels. This does not bias the curve, but its intervals must come from the scatter between records: they
+/// are Student's, by the jackknife, which takes one Newton step with each record left out (R. G. Miller,
+/// Biometrika 61 (1974) 1-15; S. R. Lipsitz et al., Biometrics 50 (1994) 842-846).
 LognormalFit lognormal_fit(const std::vector<double>& peaks, const std::vector<std::vector<char>>& outcomes);
 
 }  // namespace rederive::numerics

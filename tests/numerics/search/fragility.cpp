@@ -46,8 +46,8 @@ double log_likelihood(const std::vector<double>& peaks, const std::vector<int>& 
 
 std::string why_none(const std::vector<double>& peaks, const std::vector<int>& overturned, int records) {
   const LognormalFit fit = lognormal_fit(peaks, outcomes_of(overturned, records));
-  CHECK(fit.curve.has_value() == fit.why_none.empty());
-  return fit.why_none;
+  CHECK(fit.curve.has_value() == !fit.why_none.has_value());
+  return fit.why_none ? words_for(*fit.why_none) : "";
 }
 
 std::vector<double> evenly(double from, double to, int count) {
