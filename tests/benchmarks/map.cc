@@ -1,9 +1,10 @@
 // Maps beside the peers: build/tests/benchmark_map FOLDER. Rows of a Markdown table; into the folder, data
-// for plots and some cells with their codes for peers in other languages. Peers follow every so manieth cell.
+// for plots and some cells with their codes for peers in other languages. Each peer follows a part of the
+// cells.
 #include <fstream>
 #include <memory>
 #include <numerics/motion/batch.hpp>
-#include <numerics/search/map.hpp>
+#include <numerics/search/grid.hpp>
 
 #include "peers.hpp"
 #include "timing.hpp"
@@ -13,19 +14,6 @@ using namespace rederive::numerics;
 using namespace rederive::benchmarks;
 
 namespace {
-
-PulseCase asked_with(Model model, double tolerance) {
-  PulseCase asked;
-  asked.block = make_block(0.25, 2.14);
-  asked.model = model, asked.tolerance = tolerance;
-  return asked;
-}
-
-std::vector<double> evenly(double from, double to, int count) {
-  std::vector<double> all;
-  for (int i = 0; i < count; ++i) all.push_back(from + (to - from) * i / (count - 1));
-  return all;
-}
 
 struct Grid {
   explicit Grid(int count) : ratios(evenly(0.2, 10, count)), amplitudes(evenly(1, 12, count)) {}
@@ -56,7 +44,7 @@ Codes mapped_by(const BatchKernel& kernel, const PulseCase& asked, const Grid& g
 struct Peer {
   std::string name;
   std::function<int(double omega, double amplitude)> code;
-  std::size_t every;  ///< so manieth cell
+  std::size_t every;  ///< it follows one cell out of this many
 };
 
 Peer peer_of(const std::string& name, std::shared_ptr<Integrator> integrator, const PulseCase& asked,
@@ -72,11 +60,8 @@ std::vector<Peer> peers_of(const PulseCase& asked) {
       peer_of(fmt::format("odeint dopri5, {:g}", 10 * tolerance),
               std::make_shared<Odeint>(alpha, 10 * tolerance), asked, 11)};
 #ifdef REDERIVE_SUNDIALS
-  using enum Sundials::Method;
   peers.push_back(peer_of(fmt::format("SUNDIALS CVODE, {:g}", tolerance),
-                          std::make_shared<Sundials>(cvode, alpha, tolerance), asked, 61));
-  peers.push_back(peer_of(fmt::format("SUNDIALS ARKODE, {:g}", tolerance),
-                          std::make_shared<Sundials>(arkode, alpha, tolerance), asked, 61));
+                          std::make_shared<Sundials>(alpha, tolerance), asked, 61));
 #endif
   if (asked.model == Model::nonlinear) {
     const auto gsl = std::make_shared<Gsl>(alpha, tolerance);

@@ -79,16 +79,12 @@ inline int code_by(Integrator& integrator, const numerics::PulseCase& asked, dou
     if (std::fabs(y[1]) < 1e-3 * alpha) return 0;
     y = {0, y[1] * restitution}, motion.side = -motion.side, ++motion.impacts;
   }
-  const double angle = motion.side * y[0] / alpha, velocity = motion.side * y[1] / alpha;
-  const double critical = linear ? emitted::linear_critical_velocity_positive(angle)
-                                 : emitted::critical_velocity_positive(alpha, angle);
-  if (velocity > critical) return motion.side * (motion.impacts + 1);
-  const double square = linear ? emitted::linear_impact_velocity_squared_positive(angle, velocity)
-                               : emitted::impact_velocity_squared_positive(alpha, angle, velocity);
-  const double launch = linear ? emitted::linear_critical_velocity_positive(0.0)
-                               : emitted::critical_velocity_positive(alpha, 0.0);
-  const bool returns = restitution * std::sqrt(std::max(0.0, square)) > launch;
-  return returns ? -motion.side * (motion.impacts + 2) : 0;
+  return numerics::outcome_of_free_motion(asked.block, asked.model,
+                                          numerics::FreeMotion<double>{.side = motion.side,
+                                                                       .angle = motion.side * y[0] / alpha,
+                                                                       .velocity = motion.side * y[1] / alpha,
+                                                                       .impacts = motion.impacts})
+      .code;
 }
 
 }  // namespace rederive::benchmarks

@@ -10,7 +10,6 @@
 #include "peer_motion.hpp"
 
 #ifdef REDERIVE_SUNDIALS
-#include <arkode/arkode_erkstep.h>
 #include <cvode/cvode.h>
 #include <nvector/nvector_serial.h>
 #include <sundials/sundials_context.h>
@@ -144,19 +143,16 @@ class LinearRungeKutta : public Integrator {
 };
 
 #ifdef REDERIVE_SUNDIALS
-/// SUNDIALS with its own root finding: CVODE by Adams' methods, or ARKODE by explicit Runge-Kutta steps.
+/// CVODE of SUNDIALS by Adams' methods, with its own root finding.
 class Sundials : public Integrator {
  public:
-  enum class Method { cvode, arkode };
-  Sundials(Method method, double alpha, double tolerance)
-      : method_(method), absolute_(alpha * tolerance), relative_(tolerance) {
+  Sundials(double alpha, double tolerance) : absolute_(alpha * tolerance), relative_(tolerance) {
     SUNContext_Create(nullptr, &context_);
     y_ = N_VNew_Serial(2, context_);
   }
   Sundials(const Sundials&) = delete;
   ~Sundials() override {
     if (cvode_ != nullptr) CVodeFree(&cvode_);
-    if (arkode_ != nullptr) ERKStepFree(&arkode_);
     if (solver_ != nullptr) SUNNonlinSolFree(solver_);
     N_VDestroy(y_), SUNContext_Free(&context_);
   }
@@ -166,7 +162,7 @@ class Sundials : public Integrator {
     double* state = N_VGetArrayPointer(y_);
     state[0] = y[0], state[1] = y[1];
     const double start = t;
-    method_ == Method::cvode ? by_cvode(start, t, end) : by_arkode(start, t, end);
+    integrate(start, t, end);
     y = {state[0], state[1]};
   }
 
@@ -183,7 +179,7 @@ class Sundials : public Integrator {
     return 0;
   }
 
-  void by_cvode(double start, double& t, double end) {
+  void integrate(double start, double& t, double end) {
     if (cvode_ == nullptr) {
       cvode_ = CVodeCreate(CV_ADAMS, context_);
       CVodeInit(cvode_, rates, start, y_);
@@ -197,22 +193,10 @@ class Sundials : public Integrator {
     CVode(cvode_, end, y_, &t, CV_NORMAL);
   }
 
-  void by_arkode(double start, double& t, double end) {
-    if (arkode_ == nullptr) {
-      arkode_ = ERKStepCreate(rates, start, y_, context_);
-      ERKStepSStolerances(arkode_, relative_, absolute_), ERKStepSetOrder(arkode_, 8);
-      ERKStepSetUserData(arkode_, this), ERKStepRootInit(arkode_, 2, events);
-      ERKStepSetNoInactiveRootWarn(arkode_), ERKStepSetMaxNumSteps(arkode_, 1'000'000);
-    }
-    ERKStepReInit(arkode_, rates, start, y_), ERKStepSetStopTime(arkode_, end);
-    ERKStepEvolve(arkode_, end, y_, &t, ARK_NORMAL);
-  }
-
-  Method method_;
   double absolute_, relative_;
   SUNContext context_ = nullptr;
   N_Vector y_ = nullptr;
-  void *cvode_ = nullptr, *arkode_ = nullptr;
+  void* cvode_ = nullptr;
   SUNNonlinearSolver solver_ = nullptr;
   Motion motion_{};
 };

@@ -9,7 +9,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <numerics/commands/ranks.hpp>
-#include <numerics/search/map.hpp>
+#include <numerics/search/grid.hpp>
 #include <thread>
 
 #include "timing.hpp"
@@ -66,12 +66,8 @@ double seconds_a_letter(const std::string& self, std::size_t bytes) {
 
 /// A map of 400 x 400 on one thread, in seconds of processor time a cell.
 double seconds_a_cell(Model model) {
-  PulseCase asked;
-  asked.block = make_block(0.25, 2.14);
-  asked.model = model;
-  std::vector<double> ratios, amplitudes;
-  for (int i = 0; i < 400; ++i)
-    ratios.push_back(0.2 + 9.8 * i / 399), amplitudes.push_back(1 + 11.0 * i / 399);
+  const PulseCase asked = asked_with(model);
+  const std::vector<double> ratios = evenly(0.2, 10, 400), amplitudes = evenly(1, 12, 400);
   std::vector<double> rounds;
   for (int round = 0; round < 5; ++round) {
     const double begin = thread_seconds();

@@ -1,6 +1,6 @@
-// Thresholds and spectra of the nonlinear model beside the second road, GSL: rows of a Markdown table.
+// Thresholds and spectra of the nonlinear model beside the second method, GSL: rows of a Markdown table.
 #include <cmath>
-#include <numerics/search/spectrum.hpp>
+#include <numerics/search/grid.hpp>
 #include <thread>
 
 #include "timing.hpp"
@@ -12,9 +12,8 @@ using namespace rederive::benchmarks;
 namespace {
 
 PulseCase at(double omega_ratio, Engine engine) {
-  PulseCase asked;
-  asked.block = make_block(0.25, 2.14);
-  asked.model = Model::nonlinear, asked.omega_ratio = omega_ratio, asked.engine = engine;
+  PulseCase asked = asked_with(Model::nonlinear);
+  asked.omega_ratio = omega_ratio, asked.engine = engine;
   return asked;
 }
 
@@ -29,9 +28,8 @@ std::vector<double> thresholds(double omega_ratio, Engine engine, bool least, in
 }
 
 std::vector<double> least_spectrum(int points, Engine engine) {
-  std::vector<double> ratios, found;
-  for (int i = 0; i < points; ++i) ratios.push_back(0.5 + 9.5 * i / (points - 1));
-  for (const SpectrumPoint& point : spectrum(at(1, engine), ratios, {.least = true}, {}))
+  std::vector<double> found;
+  for (const SpectrumPoint& point : spectrum(at(1, engine), evenly(0.5, 10, points), {.least = true}, {}))
     found.push_back(point.minimum.value_or(0));
   return found;
 }

@@ -1,4 +1,4 @@
-// Contenders take turns; the medians count.
+// The cases of the benchmarks, and their times: contenders take turns, and the medians count.
 #pragma once
 
 #include <fmt/format.h>
@@ -6,10 +6,27 @@
 #include <algorithm>
 #include <chrono>
 #include <functional>
+#include <numerics/motion/overturning.hpp>
 #include <string>
 #include <vector>
 
 namespace rederive::benchmarks {
+
+/// A case of the benchmarks.
+inline numerics::PulseCase asked_with(numerics::Model model, double tolerance = numerics::default_tolerance) {
+  numerics::PulseCase asked;
+  asked.block = numerics::make_block(0.25, 2.14);
+  asked.model = model;
+  asked.tolerance = tolerance;
+  return asked;
+}
+
+/// Returns `count` numbers from `from` to `to`.
+inline std::vector<double> evenly(double from, double to, int count) {
+  std::vector<double> all;
+  for (int i = 0; i < count; ++i) all.push_back(from + (to - from) * i / (count - 1));
+  return all;
+}
 
 inline double seconds(const std::function<void()>& work) {
   const auto begin = std::chrono::steady_clock::now();
