@@ -4,8 +4,7 @@
 #include <iterator>
 #include <numbers>
 #include <numerics/motion/batch.hpp>
-#include <numerics/motion/instruction_sets.hpp>
-#include <numerics/motion/kernel_start.hpp>
+#include <numerics/motion/kernel_arc.hpp>
 #include <numerics/motion/parallel.hpp>
 #include <type_traits>
 
@@ -14,15 +13,19 @@ namespace rederive::numerics {
 namespace {
 
 using Launch = PulseBatch::Launch;
+using How = KernelEnd<double>::How;
 
 /// After an impact that leaves less than this velocity, over alpha p, a block may be about to rest.
 constexpr double slow = 1e-2;
-/// A push from rest that gives the block less speed than this may be none at all.
+/// A push from rest that gives the block less speed than this, over omega_p, is left to the second method:
+/// rounding may hide whether it moves the block.
 constexpr double weak_push = 1e-8;
-/// So often a motion may rest or become slow.
+/// A chain of impacts that is sure to end has fewer steps: time_of_rest takes e as 0.9999 at most.
+constexpr int most_steps = 500'000;
+/// The number of times that a motion may rest or become slow.
 constexpr int most_rounds = 40;
 
-/// Motions for a kernel to follow, and whose they are.
+/// Motions for a kernel to follow, and the cells of the result that they belong to.
 struct Motions {
   struct Owner {
     int column, row;
@@ -33,65 +36,30 @@ struct Motions {
   std::vector<KernelStart<double>> starts;
 };
 
-/// A motion that the pulse leaves, on the side theta > 0 of its last impact; `launch` just lifts the block
-/// over the barrier from upright.
-struct Left {
-  const PulseCase& asked;
-  double scale;
-  const KernelEnd<double>& end;
-  const Motions::Owner& owner;
-  double launch;
-
-  double angle() const { return end.theta / scale; }
-  double velocity() const { return end.thetadot / scale; }
-  Margins margins() const {
-    const bool is_linear = asked.model == Model::linear;
-    const double critical = is_linear ? emitted::linear_critical_velocity_positive(angle())
-                                      : emitted::critical_velocity_positive(asked.block.alpha, angle());
-    const double impact =
-        is_linear ? emitted::linear_impact_velocity_squared_positive(angle(), velocity())
-                  : emitted::impact_velocity_squared_positive(asked.block.alpha, angle(), velocity());
-    return {velocity() - critical, asked.block.restitution * std::sqrt(std::max(0.0, impact)) - launch};
-  }
-};
-
-/// (22), (34): what becomes of it when the pulse is over, as outcome_at_end tells it.
-int code_of(const Margins& margins, int side, int impacts) {
-  if (margins.outward > 0) return side * (impacts + 1);
-  return margins.returning > 0 ? -side * (impacts + 2) : 0;
+/// Returns the outcome of a motion that the pulse leaves, on the side theta > 0 of its last impact.
+Outcome outcome_after(const PulseCase& asked, double scale, const KernelEnd<double>& end,
+                      const Motions::Owner& owner) {
+  return outcome_of_free_motion(asked.block, asked.model,
+                                FreeMotion<double>{.side = owner.side,
+                                                   .angle = end.theta / scale,
+                                                   .velocity = end.thetadot / scale,
+                                                   .since_launch = end.launched - end.left,
+                                                   .impacts = end.impacts,
+                                                   .rests = owner.rests,
+                                                   .lies = end.how == How::lies});
 }
 
-int code_after(const Left& left) {
-  const int side = left.owner.side, impacts = left.end.impacts;
-  switch (left.end.how) {
-    case KernelEnd<double>::How::safe:
-      return 0;
-    case KernelEnd<double>::How::returns:
-      return -side * (impacts + 2);
-    case KernelEnd<double>::How::lies:
-    case KernelEnd<double>::How::overturns:
-      return side * (impacts + 1);
-    default:
-      return code_of(left.margins(), side, impacts);
-  }
+/// Returns the code of this outcome, which the kernel may have found already.
+int code_after(const PulseCase& asked, double scale, const KernelEnd<double>& end,
+               const Motions::Owner& owner) {
+  if (end.how == How::safe) return 0;
+  if (end.how == How::returns) return -owner.side * (end.impacts + 2);
+  if (end.how == How::overturns || end.how == How::lies) return owner.side * (end.impacts + 1);
+  return outcome_after(asked, scale, end, owner).code;
 }
 
-Outcome outcome_after(const Left& left) {
-  const KernelEnd<double>& end = left.end;
-  const int side = left.owner.side;
-  const bool lies = end.how == KernelEnd<double>::How::lies;
-  const Margins margins = left.margins();
-  const int code = lies ? side * (end.impacts + 1) : code_of(margins, side, end.impacts);
-  return {code,
-          std::max(end.impacts, std::abs(code) - 1),
-          left.owner.rests,
-          side,
-          lies,
-          {margins.outward * std::exp(end.left - end.launched), margins.returning}};
-}
-
-/// Goes on after an impact that left the block slow: from the push that starts it again, if it comes to rest;
-/// false if it rests for good.
+/// Adds to `next` how a motion goes on after an impact that leaves the block slow: it hops on, or rests until
+/// a push starts it again. Returns false if it rests for good.
 bool resume(const AtUpright& upright, double scale, const Launch& from, const KernelEnd<double>& end,
             const KernelStart<double>& start, Motions::Owner owner, Motions& next) {
   Piece piece = from.piece;
@@ -104,11 +72,12 @@ bool resume(const AtUpright& upright, double scale, const Launch& from, const Ke
     if (!push) return false;
     owner.side = push->side, ++owner.rests;
     KernelStart<double>& restart =
-        next.starts.emplace_back(kernel_start<double>(piece, owner.side, push->from, scale));
+        next.starts.emplace_back(kernel_start<double>(piece, owner.side, {push->from}, scale));
     restart.push = static_cast<double>(push->to - push->from);
     restart.fading = start.fading, restart.slow = slow * scale;
   } else {
-    KernelStart<double>& hop = next.starts.emplace_back(kernel_start<double>(piece, owner.side, time, scale));
+    KernelStart<double>& hop =
+        next.starts.emplace_back(kernel_start<double>(piece, owner.side, {time}, scale));
     hop.thetadot = end.thetadot, hop.left = end.left, hop.impacts = end.impacts;
     hop.fading = start.fading, hop.slow = end.thetadot / 4;
   }
@@ -120,7 +89,8 @@ bool resume(const AtUpright& upright, double scale, const Launch& from, const Ke
 
 const std::vector<BatchKernel>& batch_kernels() {
   static const std::vector<BatchKernel> all = [] {
-    std::vector<BatchKernel> kernels{{"one lane", run_batch_one_lane}, {"baseline", run_batch_baseline}};
+    std::vector<BatchKernel> kernels{{"one lane", run_batch<InstructionSet::one_lane>},
+                                     {"baseline", run_batch<InstructionSet::baseline>}};
 #ifdef REDERIVE_X86_KERNELS
     // x86-64-v3 and -v4. Clang 14 does not know these names; the rest of each level came with what is asked
     // here.
@@ -129,8 +99,8 @@ const std::vector<BatchKernel>& batch_kernels() {
     const bool v4 = v3 && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") &&
                     __builtin_cpu_supports("avx512cd") && __builtin_cpu_supports("avx512dq") &&
                     __builtin_cpu_supports("avx512vl");
-    if (v3) kernels.push_back({"AVX2", run_batch_v3});
-    if (v4) kernels.push_back({"AVX-512", run_batch_v4});
+    if (v3) kernels.push_back({"AVX2", run_batch<InstructionSet::v3>});
+    if (v4) kernels.push_back({"AVX-512", run_batch<InstructionSet::v4>});
 #endif
     return kernels;
   }();
@@ -143,7 +113,7 @@ PulseBatch::Launch PulseBatch::launch_at(double amplitude) const {
   if (leads == 0 && amplitude >= 0 && amplitude < upright_.level) return launch;
   launch.piece = pulse_motion(asked_.pulse, 1, amplitude, upright_.level).front();
   launch.pushes = pushes(launch.piece, upright_.level);
-  Real start = 0;
+  Real start = 0, push = 0;
   if (leads != 0) {
     launch.side = leads > 0 ? 1 : -1;
   } else {
@@ -151,15 +121,14 @@ PulseBatch::Launch PulseBatch::launch_at(double amplitude) const {
     const Push& first = launch.pushes.front();
     launch.side = first.side;
     start = first.from;
-    launch.push = static_cast<double>(first.to - start);
-    launch.gain = static_cast<double>((amplitude - upright_.level) * (first.to - start));
+    push = first.to - start;
+    launch.gain = static_cast<double>((amplitude - upright_.level) * push);
   }
-  launch.left = static_cast<double>(launch.piece.to - start);
-  launch.theta = static_cast<double>(launch.side * asked_.initial.angle * scale_);
-  launch.thetadot = static_cast<double>(launch.side * asked_.initial.velocity * scale_);
-  const auto pulse = kernel_start<double>(launch.piece, launch.side, start, scale_);
-  launch.ground = pulse.ground, launch.quadrature = pulse.quadrature;
-  launch.fading = asked_.pulse == Pulse::sine ? std::numbers::pi : 0;
+  launch.start = kernel_start<double>(launch.piece, launch.side,
+                                      {start, asked_.initial.angle, asked_.initial.velocity}, scale_);
+  launch.start.push = static_cast<double>(push);
+  launch.start.fading = asked_.pulse == Pulse::sine ? std::numbers::pi : 0;
+  launch.start.slow = slow * scale_;
   return launch;
 }
 
@@ -178,10 +147,10 @@ PulseBatch PulseBatch::until_last_push() const {
   constexpr double no_time = 1e-9;  // of the phase
   PulseBatch cut = *this;
   for (Launch& launch : cut.launches_) {
-    const Real start = launch.piece.to - static_cast<Real>(launch.left),
+    const Real start = launch.piece.to - static_cast<Real>(launch.start.left),
                end = launch.pushes.empty() ? 0 : launch.pushes.back().from;
-    launch.left = static_cast<double>(end - start);
-    if (!(launch.left > no_time)) launch.side = 0;
+    launch.start.left = static_cast<double>(end - start);
+    if (!(launch.start.left > no_time)) launch.side = 0;
     launch.piece.to = end;
     if (!launch.pushes.empty()) launch.pushes.pop_back();
   }
@@ -191,9 +160,6 @@ PulseBatch PulseBatch::until_last_push() const {
 template <class Result, class OfLeft>
 std::vector<std::vector<Result>> PulseBatch::followed(const std::vector<double>& omega_ratios, OfLeft of_left,
                                                       Result (*of_outcome)(const Outcome&)) const {
-  const double launch = asked_.model == Model::linear
-                            ? emitted::linear_critical_velocity_positive(0.0)
-                            : emitted::critical_velocity_positive(asked_.block.alpha, 0.0);
   std::vector<std::vector<Result>> all(omega_ratios.size(), std::vector<Result>(amplitudes_.size()));
   Motions motions;
   motions.owners.reserve(omega_ratios.size() * amplitudes_.size());
@@ -204,20 +170,18 @@ std::vector<std::vector<Result>> PulseBatch::followed(const std::vector<double>&
       const double omega = omega_ratios[static_cast<std::size_t>(column)];
       if (from.side == 0) continue;
       motions.owners.push_back({column, row, from.side});
-      motions.starts.push_back({.rate = omega,
-                                .theta = from.theta,
-                                .thetadot = from.thetadot,
-                                .ground = from.ground,
-                                .quadrature = from.quadrature,
-                                .push = from.push / omega,
-                                .left = from.left / omega,
-                                .fading = from.fading / omega,
-                                .slow = slow * scale_});
+      KernelStart<double>& start = motions.starts.emplace_back(from.start);
+      start.rate = omega;
+      for (double* time : {&start.push, &start.left, &start.fading}) *time /= omega;
     }
   for (int round = 0; !motions.starts.empty(); ++round) {
     std::vector<KernelEnd<double>> ends(motions.starts.size());
-    kernel_.run({asked_.model == Model::linear, scale_, asked_.block.restitution, scale_ * asked_.tolerance,
-                 std::is_same_v<Result, int>},
+    kernel_.run({.is_linear = asked_.model == Model::linear,
+                 .alpha = scale_,
+                 .restitution = asked_.block.restitution,
+                 .tolerance = scale_ * asked_.tolerance,
+                 .codes_only = std::is_same_v<Result, int>,
+                 .most_steps = most_steps},
                 motions.starts.data(), ends.data(), static_cast<int>(ends.size()));
     Motions next;
     for (std::size_t k = 0; k < ends.size(); ++k) {
@@ -228,15 +192,15 @@ std::vector<std::vector<Result>> PulseBatch::followed(const std::vector<double>&
       Result& result = all[static_cast<std::size_t>(owner.column)][row];
       if ((end.impacts - start.impacts) % 2 != 0) owner.side = -owner.side;
       const bool weak = round == 0 && start.push > 0 && launches_[row].gain < weak_push * start.rate;
-      if (weak || end.how == KernelEnd<double>::How::unclear || round == most_rounds) {
+      if (weak || end.how == How::unclear || round == most_rounds) {
         PulseCase here = asked_;
         here.omega_ratio = start.rate;
         result = of_outcome(outcome_at(here, amplitudes_[row]));
-      } else if (end.how == KernelEnd<double>::How::slow) {
+      } else if (end.how == How::slow) {
         if (!resume(upright_, scale_, launches_[row], end, start, owner, next))
           result = of_outcome({0, 0, owner.rests + 1});
       } else {
-        result = of_left(Left{asked_, scale_, end, owner, launch});
+        result = of_left(asked_, scale_, end, owner);
       }
     }
     motions = std::move(next);

@@ -37,13 +37,11 @@ class PulseBatch {
 
   /// When and with what the block starts. Times are phases: they do not depend on omega_p.
   struct Launch {
-    Piece piece;                ///< the pulse
-    std::vector<Push> pushes;   ///< of it
-    int side = 0;               ///< 0: it does not start
-    double push = 0, gain = 0;  ///< from rest: how long and, above start_level, how much the ground pushes
-    double left = 0;            ///< until the pulse ends
-    double fading = 0;          ///< as in KernelStart
-    double theta = 0, thetadot = 0, ground = 0, quadrature = 0;  ///< mirrored to theta > 0
+    Piece piece;               ///< the pulse
+    std::vector<Push> pushes;  ///< of the pulse
+    int side = 0;              ///< 0: it does not start
+    double gain = 0;  ///< from rest: how much, integrated over the first push, the ground exceeds start_level
+    KernelStart<double> start;  ///< with omega_p = p
   };
 
  private:

@@ -93,8 +93,8 @@ class LanePack {
     move();
     if constexpr (is_pulse)
       if (block_.codes_only) foresee();
-    over_ =
-        left_ <= 0 || lies_ || overturns_ || returns_ || safe_ || slow_hit_ || unclear_ || steps_ > 10'000;
+    over_ = left_ <= 0 || lies_ || overturns_ || returns_ || safe_ || slow_hit_ || unclear_ ||
+            steps_ > T(block_.most_steps);
     if (any_of(over_)) retire();
   }
 
@@ -234,7 +234,7 @@ class LanePack {
     return stays_positive(lying - motion_.theta[0], lying - after, fall);
   }
 
-  /// The next motion, or, for want of one, a block at rest on its corner.
+  /// Puts the next motion into a lane or, if none waits, a block at rest on its corner.
   void fill(int lane) {
     const bool waits = queue_.next < queue_.count;
     const Start start =
@@ -295,18 +295,6 @@ void run_packs(const KernelBlock<double>& block, const KernelStart<double>* star
   while (queue.running > 0)
     for (const auto part : {&Pack::expand, &Pack::choose_step, &Pack::look_ahead, &Pack::advance})
       for (Pack& pack : packs) (pack.*part)();
-}
-
-/// Follows many motions under pulses, in the order that costs least: a step takes operations as the square of
-/// the order, a linear one as the order.
-template <class V>
-void run_batch(const KernelBlock<double>& block, const KernelStart<double>* starts, KernelEnd<double>* ends,
-               int count) {
-  const auto run = block.is_linear ? run_packs<V, emitted::linear_motion_in_pulse_positive<V, 24>>
-                   : block.tolerance >= 1e-10 * block.alpha
-                       ? run_packs<V, emitted::motion_in_pulse_positive<V, 13>>
-                       : run_packs<V, emitted::motion_in_pulse_positive<V, 18>>;
-  run(block, starts, ends, count);
 }
 
 /// Follows one motion in the one lane of V, and calls `step(series of theta, length)` for each step.

@@ -2,10 +2,9 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <numerics/motion/arc.hpp>
 #include <numerics/motion/kernel.hpp>
 #include <numerics/motion/kernel_arc.hpp>
-#include <numerics/motion/kernel_start.hpp>
+#include <numerics/motion/reference.hpp>
 #include <optional>
 #include <utility>
 
@@ -116,9 +115,7 @@ class KernelMover {
   }
 
   Arc operator()(const Piece& piece, int side, const Point& start) const {
-    KernelStart<T> from = kernel_start<T>(piece, side, start.time, scale_);
-    from.theta = static_cast<T>(side * scale_ * start.angle);
-    from.thetadot = static_cast<T>(side * scale_ * start.velocity);
+    KernelStart<T> from = kernel_start<T>(piece, side, start, scale_);
     from.slow = std::numeric_limits<T>::infinity();
     if (from.theta == 0 && from.thetadot == 0)
       from.push = static_cast<T>(length_of_push(pushes(piece, level_), side, start.time));

@@ -13,6 +13,7 @@ struct KernelBlock {
   T alpha, restitution;     ///< in the linear model alpha = 1
   T tolerance;              ///< of the last two terms of each series
   bool codes_only = false;  ///< whether a motion may end as soon as its code is certain
+  int most_steps = 10'000;  ///< after which a motion is unclear
 };
 
 /// Where a motion starts on one smooth piece of ground motion, on the side theta > 0: a motion on the other
@@ -25,9 +26,9 @@ struct KernelStart {
   T quadrature = 0;           ///< of a pulse: rate of the ground acceleration over omega_p
   T push = 0;                 ///< from rest: how long the ground pushes at least as hard as at the start
   T left = 0;                 ///< until the piece ends
-  T fading = 0;               ///< so long before the pulse ends, the ground keeps its sign and fades to 0
-  T slow = 0;                 ///< an impact that leaves less than this velocity ends the motion
-  int impacts = 0;            ///< before the start
+  T fading = 0;     ///< for this long before the pulse ends, the ground keeps its sign and fades to 0
+  T slow = 0;       ///< an impact that leaves less than this velocity ends the motion
+  int impacts = 0;  ///< before the start
 };
 
 /// Where a motion ends, on the side theta > 0 of the last impact.
@@ -47,5 +48,14 @@ struct KernelEnd {
   T launched;  ///< what was left when the block last started or came to upright
   int impacts;
 };
+
+/// What the kernel of many motions is compiled for. v3 and v4 are the levels x86-64-v3 (AVX2) and x86-64-v4
+/// (AVX-512).
+enum class InstructionSet { one_lane, baseline, v3, v4 };
+
+/// Follows `count` motions under pulses from `starts` to `ends`.
+template <InstructionSet set>
+void run_batch(const KernelBlock<double>& block, const KernelStart<double>* starts, KernelEnd<double>* ends,
+               int count);
 
 }  // namespace rederive::numerics

@@ -10,33 +10,46 @@
 namespace rederive::numerics {
 namespace {
 
-/// What free motion on one side comes to: the velocity with which it just reaches theta = alpha from here,
-/// and the square of that with which it comes to upright. (68), (75) and the invariant of (62), or the
-/// energies (22).
-struct FreeMotion {
-  Real critical, impact_squared;
-};
+template <class T>
+Margins margins_of(const Block& block, Model model, T angle, T velocity) {
+  const bool is_linear = model == Model::linear;
+  const T alpha = static_cast<T>(block.alpha);
+  const auto critical = [&](T from) {
+    return is_linear ? emitted::linear_critical_velocity_positive(from)
+                     : emitted::critical_velocity_positive(alpha, from);
+  };
+  const T square = is_linear ? emitted::linear_impact_velocity_squared_positive(angle, velocity)
+                             : emitted::impact_velocity_squared_positive(alpha, angle, velocity);
+  const T rebound = static_cast<T>(block.restitution) * std::sqrt(std::max(T(0), square));
+  return {velocity - critical(angle), rebound - critical(0)};
+}
 
-FreeMotion free_motion(const Block& block, Model model, int side, const Point& at) {
-  const Real alpha = block.alpha;
-  if (model == Model::linear)
-    return side < 0 ? FreeMotion{emitted::linear_critical_velocity_negative(at.angle),
-                                 emitted::linear_impact_velocity_squared_negative(at.angle, at.velocity)}
-                    : FreeMotion{emitted::linear_critical_velocity_positive(at.angle),
-                                 emitted::linear_impact_velocity_squared_positive(at.angle, at.velocity)};
-  return side < 0 ? FreeMotion{emitted::critical_velocity_negative(alpha, at.angle),
-                               emitted::impact_velocity_squared_negative(alpha, at.angle, at.velocity)}
-                  : FreeMotion{emitted::critical_velocity_positive(alpha, at.angle),
-                               emitted::impact_velocity_squared_positive(alpha, at.angle, at.velocity)};
+template <class T>
+Outcome outcome(const Block& block, Model model, const FreeMotion<T>& from) {
+  Outcome outcome{.impacts = from.impacts, .rests = from.rests, .side = from.side, .lies = from.lies};
+  const Margins margins = margins_of(block, model, from.angle, from.velocity);
+  outcome.margins = {margins.outward * std::exp(-from.since_launch), margins.returning};
+  if (from.lies || margins.outward > 0) {
+    outcome.code = from.side * (from.impacts + 1);
+  } else if (margins.returning > 0) {
+    outcome.impacts = from.impacts + 1;
+    outcome.code = -from.side * (outcome.impacts + 1);
+  }
+  return outcome;
 }
 
 }  // namespace
 
 Margins free_motion_margins(const Block& block, Model model, int side, const Point& at) {
-  const FreeMotion here = free_motion(block, model, side, at);
-  const Real launch = side * free_motion(block, model, -side, {}).critical;  // negative: to the other side
-  const Real impact = std::sqrt(std::max<Real>(0, here.impact_squared));
-  return {side * (at.velocity - here.critical), block.restitution * impact + launch};
+  return margins_of(block, model, side * at.angle, side * at.velocity);
+}
+
+Outcome outcome_of_free_motion(const Block& block, Model model, const FreeMotion<Real>& from) {
+  return outcome(block, model, from);
+}
+
+Outcome outcome_of_free_motion(const Block& block, Model model, const FreeMotion<double>& from) {
+  return outcome(block, model, from);
 }
 
 std::string words_for(int code, SideNames names) {
@@ -51,22 +64,15 @@ std::string words_for(int code, SideNames names) {
 std::string_view outcome_name(int code) { return code == 0 ? "safe" : "overturned"; }
 
 Outcome outcome_at_end(const Block& block, Model model, const Response& response) {
-  Outcome outcome;
-  outcome.rests = response.rests;
-  if (response.side == 0) return outcome;
-  outcome.impacts = response.impacts;
-  outcome.side = response.side;
-  outcome.lies = response.lies;
-  Margins margins = free_motion_margins(block, model, response.side, response.end);
-  if (response.lies || margins.outward > 0) {
-    outcome.code = response.side * (response.impacts + 1);
-  } else if (margins.returning > 0) {
-    outcome.impacts = response.impacts + 1;
-    outcome.code = -response.side * (outcome.impacts + 1);
-  }
-  margins.outward *= std::exp(response.last_launch - response.end.time);
-  outcome.margins = margins;
-  return outcome;
+  if (response.side == 0) return {.rests = response.rests};
+  return outcome(block, model,
+                 FreeMotion<Real>{.side = response.side,
+                                  .angle = response.side * response.end.angle,
+                                  .velocity = response.side * response.end.velocity,
+                                  .since_launch = response.end.time - response.last_launch,
+                                  .impacts = response.impacts,
+                                  .rests = response.rests,
+                                  .lies = response.lies});
 }
 
 Outcome outcome_of(const Block& block, Model model, const GroundMotion& motion, const InitialState& initial) {

@@ -41,6 +41,20 @@ inline constexpr std::array words_of_sides{"theta < 0", "theta > 0"},
     words_of_directions{"the left", "the right"};
 inline constexpr std::array words_of_impacts{"without impact", "after one impact", "after {} impacts"};
 
+/// A motion that the ground motion leaves, seen on the side theta > 0; T is double or Real.
+template <class T>
+struct FreeMotion {
+  int side = 1;               ///< on which the block is
+  T angle = 0, velocity = 0;  ///< theta/alpha and thetadot/(alpha p), mirrored if side < 0
+  T since_launch = 0;         ///< time since the last start or impact
+  int impacts = 0, rests = 0;
+  bool lies = false;
+};
+
+/// Returns the outcome of free motion: energy decides.
+Outcome outcome_of_free_motion(const Block& block, Model model, const FreeMotion<Real>& from);
+Outcome outcome_of_free_motion(const Block& block, Model model, const FreeMotion<double>& from);
+
 /// How the words for an overturning name its side: "theta < 0" and "theta > 0", or "the left" and "the
 /// right".
 enum class SideNames { signs, directions };

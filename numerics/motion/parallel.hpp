@@ -18,7 +18,7 @@ struct Work {
   int threads = 1;                              ///< at least 1
   const std::atomic<bool>* stop = nullptr;      ///< when it turns true, no further index is begun
   std::function<void(int done)> progress = {};  ///< called from one thread at a time
-  int processes = 1;                            ///< that share the work, with so many threads each
+  int processes = 1;                            ///< that share the work, each with `threads` threads
   /// Has a task done by all of them; the results are bytes. Empty: this process does it alone.
   std::function<void(const Work&, const Task<char>&)> deal = {};
 };

@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numerics/motion/arc.hpp>
+#include <numbers>
 #include <numerics/motion/kernel_arc.hpp>
+#include <numerics/motion/reference.hpp>
 #include <numerics/motion/response.hpp>
 #include <numerics/motion/rest.hpp>
 #include <stdexcept>
@@ -11,12 +12,12 @@
 namespace rederive::numerics {
 namespace {
 
-/// Where only the outcome is asked for, any chain that is certain to be over in time may be cut short sooner.
+/// If no history is kept, a chain that is certain to end in time may be cut short at this speed.
 constexpr Real soon_at_rest = 1e-3L;
-/// Impacts that are followed, in all and for each piece of a record.
+/// The number of impacts after which a motion throws, in all and for each piece of a record.
 constexpr long most_impacts = 500'000, most_a_piece = 1'000;
 
-/// Without loss (e = 1) a chain never ends: after so many impacts, hops slower than this count as rest, too.
+/// Without loss (e = 1) a chain never ends: after `many_impacts`, hops slower than this count as rest, too.
 constexpr int many_impacts = 5'000;
 constexpr Real slow = 1e-4L;
 
@@ -118,6 +119,41 @@ class Walk {
 };
 
 }  // namespace
+
+std::string_view name_of(EventKind kind) {
+  switch (kind) {
+    case EventKind::start:
+      return "start";
+    case EventKind::impact:
+      return "impact";
+    case EventKind::rest:
+      return "rest";
+    case EventKind::restart:
+      return "restart";
+    case EventKind::pulse_end:
+      return "pulse_end";
+    case EventKind::overturn:
+      return "overturn";
+  }
+  return "";
+}
+
+InitialState initial_state(const Block& block, Model model, double theta_0, double thetadot_0) {
+  if (!std::isfinite(theta_0) || !std::isfinite(thetadot_0))
+    throw std::invalid_argument(
+        fmt::format("initial conditions {} rad, {} rad/s must be finite", theta_0, thetadot_0));
+  if (model == Model::nonlinear && !(std::abs(theta_0) < std::numbers::pi / 2))
+    throw std::invalid_argument(fmt::format(
+        "theta0 = {} rad must be below pi/2 in size: the block already lies on its side", theta_0));
+  constexpr Real nothing = 1e-15L, most = 1e9L;
+  const Real alpha = block.alpha, angle = theta_0 / alpha, velocity = thetadot_0 / (alpha * block.p);
+  if (std::abs(angle) > most || std::abs(velocity) > most)
+    throw std::invalid_argument(fmt::format(
+        "initial conditions {} rad, {} rad/s: theta0/alpha and thetadot0/(alpha p) must lie between "
+        "-1e9 and 1e9",
+        theta_0, thetadot_0));
+  return {std::abs(angle) < nothing ? 0 : angle, std::abs(velocity) < nothing ? 0 : velocity};
+}
 
 Response respond(const Block& block, Model model, const GroundMotion& motion, const InitialState& initial,
                  const ResponseOptions& options) {

@@ -1,10 +1,83 @@
 // The response of the block: arcs joined by impacts, rest and restart.
 #pragma once
 
-#include <numerics/motion/history.hpp>
+#include <functional>
+#include <numerics/motion/ground_motion.hpp>
+#include <string_view>
 #include <vector>
 
 namespace rederive::numerics {
+
+/// The state of the block at tau = 0: theta_0/alpha and thetadot_0/(alpha p); both are zero at rest.
+struct InitialState {
+  Real angle = 0;
+  Real velocity = 0;
+};
+
+/// Returns the initial state for theta_0 in rad and thetadot_0 in rad/s; values below 1e-15 alpha or alpha p
+/// count as zero. Throws std::invalid_argument unless both are below 1e9 alpha or alpha p and, in the
+/// nonlinear model, |theta_0| < pi/2.
+InitialState initial_state(const Block& block, Model model, double theta_0, double thetadot_0);
+
+enum class EventKind { start, impact, rest, restart, pulse_end, overturn };
+
+/// Returns the name of an event: "pulse_end".
+std::string_view name_of(EventKind kind);
+
+/// An event at `time` (tau), at theta/alpha = `angle`. The velocities thetadot/(alpha p) before and after it
+/// differ at an impact only.
+struct Event {
+  EventKind kind;
+  Real time, angle, velocity_before, velocity_after;
+};
+
+/// How an arc ends: at an impact (theta = 0), at the end of the time given, or lying on the side
+/// (|theta| = pi/2).
+enum class ArcEnd { impact, time, lies };
+
+/// The motion between two events, on one side (-1: theta < 0, +1: theta > 0) and one smooth piece of ground
+/// motion.
+struct Arc {
+  Piece piece;
+  int side = -1;
+  Point start, end;  ///< `end` has the velocity before an impact
+  ArcEnd kind = ArcEnd::time;
+  Real rebound = 0;  ///< the velocity after the impact, (34), with which the block moves to the other side
+
+  /// The state at a time from start.time to end.time. Empty if no history is kept.
+  std::function<Point(Real time)> at = {};
+};
+
+/// The error of a step of GSL's integrator, in units of alpha and alpha p, unless another is asked for.
+inline constexpr double default_tolerance = 1e-12;
+
+/// What follows a motion. taylor: the kernel, by Taylor series. gsl: the independent second method, GSL's
+/// integrator for the nonlinear model and closed forms for the linear one.
+enum class Engine { gsl, taylor };
+
+struct ResponseOptions {
+  Real until = -1;       ///< go on after the ground motion until this tau; < 0: stop with the ground motion
+  bool history = false;  ///< keep events and arcs
+  Engine engine = Engine::taylor;
+  bool in_double = false;  ///< the kernel computes in double instead of long double, which is faster
+  double tolerance = default_tolerance;  ///< of GSL's integrator; the kernel follows one motion to all digits
+};
+
+/// Moves the block from `start`, on `side`, through the piece: until the first impact, until the end of the
+/// piece, or until it lies.
+using Follow = std::function<Arc(const Piece& piece, int side, const Point& start)>;
+
+/// What happened between tau = 0 and `end.time`.
+struct Response {
+  Point end;
+  int side = 0;               ///< 0: at rest
+  bool lies = false;          ///< |theta| reached pi/2
+  int impacts = 0;            ///< since the block last left rest
+  int rests = 0;              ///< chains of impacts that ended in rest
+  Real last_launch = 0;       ///< time of the last start or impact
+  std::vector<Event> events;  ///< if a history is kept
+  std::vector<Arc> arcs;      ///< if a history is kept
+};
 
 /// Returns the response of the block, from `initial`, to the ground motion. After an impact the velocity is e
 /// times the velocity before it, (34), on the other side. Ever smaller impacts end in rest as soon as the

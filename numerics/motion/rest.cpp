@@ -7,7 +7,7 @@ namespace rederive::numerics {
 
 AtUpright at_upright(const Block& block, Model model) {
   const Real level = start_level(block, model);
-  // The acceleration at upright is linear in that of the ground, and 0 at start_level.
+  // The acceleration at upright is linear in the acceleration of the ground, and 0 at start_level.
   return {level, acceleration(block, model, -1, 0, 0) / level,
           4 / std::max<Real>(1 - block.restitution, 1e-4L)};
 }

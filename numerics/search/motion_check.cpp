@@ -4,9 +4,9 @@
 #include <cmath>
 #include <cstdlib>
 #include <numbers>
-#include <numerics/motion/arc.hpp>
+#include <numerics/motion/reference.hpp>
 #include <numerics/search/ball_functions.hpp>
-#include <numerics/search/motion_check.hpp>
+#include <numerics/search/closed_form.hpp>
 
 namespace rederive::numerics {
 namespace {

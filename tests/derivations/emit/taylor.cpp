@@ -5,7 +5,7 @@
 #include <derivations/emit/emit.hpp>
 #include <emitted/rocking_block.hpp>
 #include <numbers>
-#include <numerics/motion/integrator.hpp>
+#include <numerics/motion/reference.hpp>
 #include <sstream>
 #include <tests/block.hpp>
 #include <tests/derivations/emit/compiled.hpp>

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <emitted/rocking_block.hpp>
 #include <numbers>
-#include <numerics/motion/arc.hpp>
+#include <numerics/motion/reference.hpp>
 #include <numerics/motion/response.hpp>
 #include <numerics/search/story.hpp>
 #include <stdexcept>
