@@ -5,7 +5,7 @@
 #include <derivations/program/data_folder.hpp>
 #include <derivations/program/program.hpp>
 #include <lessons/page/render.hpp>
-#include <numerics/pictures/gnuplot.hpp>
+#include <numerics/pictures/plot.hpp>
 
 namespace rederive {
 namespace {

@@ -4,8 +4,7 @@
 
 #include <lessons/python/calls.hpp>
 #include <limits>
-#include <numerics/search/map.hpp>
-#include <numerics/search/spectrum.hpp>
+#include <numerics/search/grid.hpp>
 #include <numerics/search/story.hpp>
 
 namespace rederive::python {

@@ -14,8 +14,8 @@ struct FigureOptions {
   Work work{};                        ///< threads and progress for the figures that sweep omega_p/p
 };
 
-/// The figure with its caption, and our correction where the paper's number is another.
-/// Throws std::invalid_argument unless 8 <= number <= 16.
+/// Returns the figure with its caption, which corrects the numbers of the paper. Throws std::invalid_argument
+/// unless 8 <= number <= 16.
 Plot paper_figure(int number, const FigureOptions& options);
 
 Plot history_figure(int number, const FigureOptions& options);  ///< 8, 9, 12, 13
@@ -25,7 +25,7 @@ Plot initial_condition_figure(const FigureOptions& options);    ///< 14
 Plot period_figure(const FigureOptions& options);               ///< 15
 Plot code_comparison_figure(const FigureOptions& options);      ///< 16
 
-/// The three panels of figures 8, 9, 12 and 13 for one motion more; dash and grey tell the curves apart.
+/// One motion in the three panels of figures 8, 9, 12 and 13; dash and grey tell the curves apart.
 struct HistoryCurve {
   std::string title;
   int dash = 1;

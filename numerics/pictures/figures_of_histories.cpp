@@ -52,20 +52,16 @@ double least_with_code(Model model, double omega_ratio, std::optional<double> re
 /// A pair just below and above the linear threshold.
 std::vector<Shown> linear_pair(double omega_ratio, int code) {
   const double edge = least_with_code(Model::linear, omega_ratio, {}, code);
-  return {{fmt::format("linear, a_p = {:.5f} α g: safe", edge * (1 - 1e-5)),
-           Model::linear,
-           omega_ratio,
-           edge * (1 - 1e-5),
-           {},
-           1,
-           false},
-          {fmt::format("linear, a_p = {:.5f} α g: overturns", edge * (1 + 1e-5)),
-           Model::linear,
-           omega_ratio,
-           edge * (1 + 1e-5),
-           {},
-           2,
-           false}};
+  const auto shown = [&](double amplitude, const char* outcome, int dash) {
+    return Shown{.title = fmt::format("linear, a_p = {:.5f} α g: {}", amplitude, outcome),
+                 .model = Model::linear,
+                 .omega_ratio = omega_ratio,
+                 .amplitude = amplitude,
+                 .restitution = {},
+                 .dash = dash,
+                 .grey = false};
+  };
+  return {shown(edge * (1 - 1e-5), "safe", 1), shown(edge * (1 + 1e-5), "overturns", 2)};
 }
 
 /// g tan(alpha) in units of alpha g.
@@ -76,11 +72,16 @@ double start_in_alpha_g() {
 /// The printed pair, read as nonlinear and in units of g tan(alpha).
 std::vector<Shown> printed_pair(double omega_ratio, double below, double above,
                                 std::optional<double> restitution) {
-  const double unit = start_in_alpha_g();
-  return {{fmt::format("nonlinear, a_p = {:.6g} g tan α: safe", below), Model::nonlinear, omega_ratio,
-           below * unit, restitution, 1, true},
-          {fmt::format("nonlinear, a_p = {:.6g} g tan α: overturns", above), Model::nonlinear, omega_ratio,
-           above * unit, restitution, 2, true}};
+  const auto shown = [&](double amplitude, const char* outcome, int dash) {
+    return Shown{.title = fmt::format("nonlinear, a_p = {:.6g} g tan α: {}", amplitude, outcome),
+                 .model = Model::nonlinear,
+                 .omega_ratio = omega_ratio,
+                 .amplitude = amplitude * start_in_alpha_g(),
+                 .restitution = restitution,
+                 .dash = dash,
+                 .grey = true};
+  };
+  return {shown(below, "safe", 1), shown(above, "overturns", 2)};
 }
 
 std::string without_impact_caption(double omega_ratio, const char* printed, Engine engine) {
@@ -95,15 +96,11 @@ std::string without_impact_caption(double omega_ratio, const char* printed, Engi
       nonlinear / start_in_alpha_g());
 }
 
-Plot figure_with(std::string caption, const std::vector<Shown>& all) {
+Plot figure_with(std::string caption, std::vector<Shown> all, const std::vector<Shown>& more = {}) {
+  all.insert(all.end(), more.begin(), more.end());
   std::vector<HistoryCurve> curves;
   for (const Shown& shown : all) curves.push_back(history(shown));
   return {std::move(caption), history_panels(curves)};
-}
-
-std::vector<Shown> joined(std::vector<Shown> a, const std::vector<Shown>& b) {
-  a.insert(a.end(), b.begin(), b.end());
-  return a;
 }
 
 Plot figure_12(Engine engine) {
@@ -115,8 +112,7 @@ Plot figure_12(Engine engine) {
       "It is the\n"
       "inverse, g tan α/a_p = sin ψ: nonlinear with e = 0.9 it is 1/{:.6f} = {:.6f} (grey).",
       least_with_code(Model::linear, 3, {}, 2), edge, 1 / edge);
-  return figure_with(caption,
-                     joined(linear_pair(3, 2), printed_pair(3, edge * (1 - 1e-5), edge * (1 + 1e-5), 0.9)));
+  return figure_with(caption, linear_pair(3, 2), printed_pair(3, edge * (1 - 1e-5), edge * (1 + 1e-5), 0.9));
 }
 
 Plot figure_13() {
@@ -137,8 +133,7 @@ std::vector<Panel> history_panels(const std::vector<HistoryCurve>& curves) {
   Panel c{"(c)", angle, rate, {}, {-2.5, 2.5}, {}, "off"};
   for (const HistoryCurve& curve : curves) {
     const auto pick = [&](int x, int y) {
-      Curve picked;
-      picked.title = curve.title, picked.dash = curve.dash, picked.grey = curve.grey;
+      Curve picked{.title = curve.title, .points = {}, .dash = curve.dash, .grey = curve.grey};
       for (const auto& state : curve.states)
         picked.points.emplace_back(state[static_cast<std::size_t>(x)], state[static_cast<std::size_t>(y)]);
       return picked;
@@ -153,11 +148,11 @@ std::vector<Panel> history_panels(const std::vector<HistoryCurve>& curves) {
 Plot history_figure(int number, const FigureOptions& options) {
   switch (number) {
     case 8:
-      return figure_with(without_impact_caption(2, "2.35766 and 2.35771", options.engine),
-                         joined(linear_pair(2, -1), printed_pair(2, 2.35766, 2.35771, {})));
+      return figure_with(without_impact_caption(2, "2.35766 and 2.35771", options.engine), linear_pair(2, -1),
+                         printed_pair(2, 2.35766, 2.35771, {}));
     case 9:
-      return figure_with(without_impact_caption(4, "5.3230 and 5.32303", options.engine),
-                         joined(linear_pair(4, -1), printed_pair(4, 5.3230, 5.32303, {})));
+      return figure_with(without_impact_caption(4, "5.3230 and 5.32303", options.engine), linear_pair(4, -1),
+                         printed_pair(4, 5.3230, 5.32303, {}));
     case 12:
       return figure_12(options.engine);
     case 13:

@@ -11,9 +11,6 @@
 namespace rederive::numerics {
 namespace {
 
-const char* const period_label = "T = T_{ex} (s)";
-const char* const acceleration_label = "a_p/g (dimensionless)";
-
 struct Case {
   std::string title;
   Pulse pulse;
@@ -55,24 +52,28 @@ Curve period_curve(const Case& shown, Work work) {
         found[static_cast<std::size_t>(i)].emplace_back(root.pulse_end / block.p,
                                                         root.amplitude * block.alpha);
   });
-  Curve curve;
-  curve.title = shown.title, curve.dash = shown.dash, curve.grey = shown.grey;
+  Curve curve{.title = shown.title, .points = {}, .dash = shown.dash, .grey = shown.grey};
   for (const auto& points : found)
     if (!points.empty()) curve.points.push_back(points.front());
   return curve;
 }
 
 Panel period_panel(std::string title) {
-  Panel panel;
-  panel.title = std::move(title), panel.x_label = period_label, panel.y_label = acceleration_label;
-  panel.x_range = {0, 4}, panel.y_range = {0, 1.5}, panel.key = "top right width -4";
-  return panel;
+  return {.title = std::move(title),
+          .x_label = "T = T_{ex} (s)",
+          .y_label = "a_p/g (dimensionless)",
+          .curves = {},
+          .x_range = {0, 4},
+          .y_range = {0, 1.5},
+          .key = "top right width -4"};
 }
 
 Curve code_curve(char ground, double ground_acceleration, double damping, int dash) {
-  Curve curve;
-  curve.title = fmt::format("EC8 ground {}, ξ = {} %", ground, damping), curve.dash = dash, curve.grey = true,
-  curve.width = 3;
+  Curve curve{.title = fmt::format("EC8 ground {}, ξ = {} %", ground, damping),
+              .points = {},
+              .dash = dash,
+              .grey = true,
+              .width = 3};
   for (int i = 0; i <= 400; ++i)
     curve.points.emplace_back(i * 0.01,
                               elastic_response(ground_type(ground), ground_acceleration, damping, i * 0.01));
@@ -96,10 +97,9 @@ Plot period_figure(const FigureOptions& options) {
   Panel panel = period_panel("");
   panel.y_range = {0, 3};
   for (const Case& shown : paper_cases()) panel.curves.push_back(period_curve(shown, options.work));
-  Curve printed;
-  printed.title = "printed: 0.25 g at 2.201 s, 0.5 g at 0.672 s", printed.marks = true;
-  printed.points = {{2.201, 0.25}, {0.672, 0.5}};
-  panel.curves.push_back(printed);
+  panel.curves.push_back({.title = "printed: 0.25 g at 2.201 s, 0.5 g at 0.672 s",
+                          .points = {{2.201, 0.25}, {0.672, 0.5}},
+                          .marks = true});
   return {
       "Least amplitude against the duration of the excitation, linear model, α = 0.25 rad, p = 2.14 1/s, e = "
       "1 - 3/2 sin²α.\n"

@@ -7,7 +7,7 @@
 #include <limits>
 #include <numerics/pictures/figures.hpp>
 #include <numerics/search/closed_form.hpp>
-#include <numerics/search/spectrum.hpp>
+#include <numerics/search/grid.hpp>
 #include <stdexcept>
 #include <tuple>
 
@@ -16,8 +16,6 @@ namespace {
 
 constexpr double highest = 12;        // of the axis
 constexpr int enough_stations = 192;  // of a search whose windows narrower than a line need not be found
-const char* const ratio_label = "ω_p/p (dimensionless)";
-const char* const amplitude_label = "amplitude a_p/(α g) (dimensionless)";
 
 std::vector<double> stations(double from, double to, int count) {
   std::vector<double> all;
@@ -69,12 +67,6 @@ Curve styled(Curve curve, int dash, bool grey, double width = 2) {
   return curve;
 }
 
-Curve marked(std::string title, std::vector<std::pair<double, double>> points, int symbol) {
-  Curve curve;
-  curve.title = std::move(title), curve.points = std::move(points), curve.marks = true, curve.symbol = symbol;
-  return curve;
-}
-
 Chosen form_is(Form form) {
   return [form](const ClosedForm& root) { return root.form == form; };
 }
@@ -83,19 +75,9 @@ Chosen admissible(Form form) {
   return [form](const ClosedForm& root) { return root.form == form && root.admissible(); };
 }
 
-bool is(const ClosedForm& root, Objection::Kind objection) {
-  return root.why_not && root.why_not->kind == objection;
-}
-
-Chosen upper_edge(Form form) {
+Chosen rejected(Form form, Objection::Kind why) {
   return
-      [form](const ClosedForm& root) { return root.form == form && is(root, Objection::Kind::upper_edge); };
-}
-
-Chosen impact_too_late() {
-  return [](const ClosedForm& root) {
-    return root.form == Form::eq86_88 && is(root, Objection::Kind::impact_too_late);
-  };
+      [=](const ClosedForm& root) { return root.form == form && root.why_not && root.why_not->kind == why; };
 }
 
 /// Simulated least amplitudes, to lie on the curves.
@@ -106,14 +88,16 @@ Curve simulated(const PulseCase& asked, const std::vector<double>& ratios, const
   std::vector<std::pair<double, double>> points;
   for (const SpectrumPoint& at : spectrum(asked, ratios, search, work))
     if (at.minimum) points.emplace_back(at.omega_ratio, *at.minimum);
-  return marked(std::move(title), std::move(points), 6);
+  return {.title = std::move(title), .points = std::move(points), .marks = true, .symbol = 6};
 }
 
 Panel ratio_panel(double last) {
-  Panel panel;
-  panel.x_label = ratio_label, panel.y_label = amplitude_label;
-  panel.x_range = {0, last}, panel.y_range = {0, highest};
-  return panel;
+  return {.title = "",
+          .x_label = "ω_p/p (dimensionless)",
+          .y_label = "amplitude a_p/(α g) (dimensionless)",
+          .curves = {},
+          .x_range = {0, last},
+          .y_range = {0, highest}};
 }
 
 Curve curve_of(const std::vector<SpectrumPoint>& points, std::optional<double> SpectrumPoint::*value,
@@ -148,14 +132,17 @@ Plot threshold_figure(const FigureOptions& options) {
              false, 3),
       styled(curve_of("(92a)&(96) one impact, t_i > T_{ex}", ratios, roots, admissible(Form::eq92a_96)), 4,
              false, 3),
-      styled(curve_of("(92a)&(96) above it: safe again", ratios, roots, upper_edge(Form::eq92a_96)), 3,
-             false),
+      styled(curve_of("(92a)&(96) above it: safe again", ratios, roots,
+                      rejected(Form::eq92a_96, Objection::Kind::upper_edge)),
+             3, false),
       styled(curve_of("(78) not admissible", ratios, roots, form_is(Form::eq78)), 1, true),
-      styled(curve_of("(86)&(88) with t_i > T_{ex}: not admissible", ratios, roots, impact_too_late()), 2,
-             true),
+      styled(curve_of("(86)&(88) with t_i > T_{ex}: not admissible", ratios, roots,
+                      rejected(Form::eq86_88, Objection::Kind::impact_too_late)),
+             2, true),
       simulated(asked, stations(0.5, 10, 20), options.work, "simulated least amplitude"),
-      marked("printed: 2.35771, 5.32303; 1/0.71157; 1 and 2 of section 4",
-             {{2, 2.35771}, {4, 5.32303}, {3, 1 / 0.71157}, {1, 1}, {4, 2}}, 2)};
+      {.title = "printed: 2.35771, 5.32303; 1/0.71157; 1 and 2 of section 4",
+       .points = {{2, 2.35771}, {4, 5.32303}, {3, 1 / 0.71157}, {1, 1}, {4, 2}},
+       .marks = true}};
   return {std::string("Least amplitudes, linear model, one-sine pulse from rest, α = 0.25 rad, e = 1 - 3/2 "
                       "sin²α; (88) corrected.\n"
                       "The printed 2.35771 and 5.32303 are nonlinear and in units of g tan α; 1/0.71157 is "

@@ -1,7 +1,8 @@
-// Figures by gnuplot: black lines told apart by their dashes, so that they survive a black-and-white printer.
+// Plots by gnuplot: black lines told apart by their dashes, so that they survive a black-and-white printer.
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -40,16 +41,22 @@ struct Plot {
   std::vector<Panel> panels;
 };
 
-/// Throws std::invalid_argument unless the extension is one that a plot is drawn to.
+/// Throws std::invalid_argument unless the file ends in .svg, .png or .pdf.
 void check_plot_name(const std::filesystem::path& file);
 
-/// Draws to SVG, PNG or PDF by the extension, whole or not at all.
-/// Throws std::invalid_argument for another extension, BadInput for an unwritable file, or if gnuplot is
+/// Draws to SVG, PNG or PDF by the extension of the file, which is written whole or not at all. Throws
+/// std::invalid_argument for another extension, and BadInput if the file cannot be written or gnuplot is
 /// missing.
 void draw(const Plot& figure, const std::filesystem::path& file);
 void draw(const Shades& shades, const std::filesystem::path& file);
 
-/// All curves as text: "panel,curve,x,y" lines under a header.
+/// Returns all curves as CSV with the columns panel, curve, x, y.
 std::string figure_data(const Plot& figure);
+
+/// Returns the picture that a gnuplot script draws in the terminal that it sets, or nothing if gnuplot is not
+/// installed. The bytes are the same each time: the date in a PDF is in 1970. No temporary file stays behind.
+/// Throws std::runtime_error with gnuplot's message if the script is wrong, and BadInput if there is no room
+/// for a temporary file.
+std::optional<std::string> drawn_by_gnuplot(const std::string& script);
 
 }  // namespace rederive::numerics

@@ -12,17 +12,18 @@ struct GroundType {
   double soil_factor, period_b, period_c, period_d;
 };
 
-/// Grounds A to E, Table 3.2 (Type 1).
+/// Returns the grounds A to E of Table 3.2 (Type 1).
 const std::vector<GroundType>& ground_types();
 
-/// Throws std::invalid_argument unless A to E.
+/// Returns the ground with this name. Throws std::invalid_argument unless it is A to E.
 const GroundType& ground_type(char name);
 
-/// eta = sqrt(10/(5 + xi)) >= 0.55 for viscous damping xi in percent, eq (3.6).
+/// Returns eta = sqrt(10/(5 + xi)) >= 0.55 for viscous damping xi from 0 to 100 percent, eq (3.6). Throws
+/// std::invalid_argument for other values.
 double damping_correction(double damping_percent);
 
-/// S_e(T) in the unit of `ground_acceleration` a_g, eqs (3.2) to (3.5), 0 <= T <= 4 s.
-/// Throws std::invalid_argument outside.
+/// Returns S_e(T) in the unit of the design ground acceleration `ground_acceleration`, eqs (3.2) to (3.5),
+/// for a period T from 0 to 4 s and damping in percent. Throws std::invalid_argument for other values.
 double elastic_response(const GroundType& ground, double ground_acceleration, double damping_percent,
                         double period);
 

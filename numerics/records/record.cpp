@@ -8,7 +8,7 @@
 #include <limits>
 #include <numeric>
 #include <numerics/records/record.hpp>
-#include <numerics/records/record_header.hpp>
+#include <numerics/records/record_file.hpp>
 #include <optional>
 #include <stdexcept>
 

@@ -2,7 +2,7 @@
 
 #include <cmath>
 #include <numerics/motion/block.hpp>
-#include <numerics/records/record_header_us.hpp>
+#include <numerics/records/record_file.hpp>
 #include <regex>
 
 namespace rederive::numerics {

@@ -4,8 +4,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <limits>
-#include <numerics/records/record_numbers.hpp>
-#include <numerics/records/record_text.hpp>
+#include <numerics/records/record_file.hpp>
 
 namespace rederive::numerics {
 namespace {

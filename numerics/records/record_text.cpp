@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <derivations/program/program.hpp>
-#include <numerics/records/record_text.hpp>
+#include <numerics/records/record_file.hpp>
 #include <stdexcept>
 #include <string_view>
 

@@ -13,6 +13,19 @@
 namespace rederive::numerics {
 namespace {
 
+/// What a form has beside its residual.
+struct FormFacts {
+  int code;
+  std::vector<std::string> equations;
+};
+
+/// Returns the facts of a form, which is the place in the table.
+const FormFacts& facts_of(Form form) {
+  static const std::vector<FormFacts> table{{-1, {"71"}},       {1, {"78"}},  {2, {"86", "88"}},
+                                            {2, {"92a", "96"}}, {1, {"103"}}, {-1, {"104"}}};
+  return table.at(static_cast<std::size_t>(form));
+}
+
 /// A pulse longer than this magnifies rounding so much that an impact's roots are sought in balls.
 constexpr Real long_pulse = 25;
 
@@ -191,6 +204,17 @@ std::vector<Form> forms_for(Pulse pulse, const ExactCase& exact) {
 }
 
 }  // namespace
+
+int code_of(Form form) { return facts_of(form).code; }
+
+std::vector<std::string> equations_of(Form form) { return facts_of(form).equations; }
+
+ExactCase exact_case_of(const PulseCase& asked) {
+  return {.omega_ratio = Ball(asked.omega_ratio),
+          .restitution = Ball(asked.block.restitution),
+          .angle = Ball(asked.initial.angle),
+          .velocity = Ball(asked.initial.velocity)};
+}
 
 std::vector<ClosedForm> closed_forms(Pulse pulse, const ExactCase& exact, const std::vector<Form>& wanted) {
   for (long bits = first_bits(longest_pulse(exact.omega_ratio));; bits = std::min(2 * bits, Ball::most_bits))

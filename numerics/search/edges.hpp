@@ -7,23 +7,24 @@
 
 namespace rederive::numerics {
 
-/// So many amplitudes are asked at once at least, to keep the lanes of the kernel busy.
+/// The least number of amplitudes that are followed together, which keeps the lanes of the kernel busy.
 constexpr int together = 16;
 
-/// The changes of code along stations that are in order of their amplitudes, each enclosed in neighbouring
-/// numbers.
+/// Returns the changes of code along stations, which are in the order of their amplitudes; each change is
+/// enclosed in neighbouring numbers.
 ///
-/// The kernel narrows all gaps together. In the linear model its changes are then confirmed by closed forms,
-/// unless a motion has so many impacts that these take too long; there the kernel is right to 1e-14.
+/// The kernel narrows all gaps together. In the linear model, closed forms then confirm its changes, unless a
+/// motion has so many impacts that they take too long; the kernel is right to 1e-14 there.
 std::vector<Gap> changes_between(const PulseCase& asked, std::vector<Station> stations,
                                  const WindowSearch& search);
 
-/// The same as edges are found: the linear model by closed forms, the nonlinear one by steps so exact that
-/// rounding is all that is left, where the engine is taylor.
+/// Returns `asked` with the method by which edges are found: closed forms for the linear model; for the
+/// nonlinear one and the engine taylor, steps whose only error is rounding.
 PulseCase exactly(PulseCase asked);
 
-/// Where the code changes: `inside` the code, which holds at the first of two amplitudes and not at the
-/// other; else std::invalid_argument is thrown.
+/// Returns the edge of the amplitudes with this code: its first number has the code, its second one has
+/// another. Throws std::invalid_argument unless the code holds at the amplitude `inside` and not at
+/// `outside`.
 Change edge_of_code(const PulseCase& asked, int code, double inside, double outside);
 
 }  // namespace rederive::numerics

@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <numeric>
 #include <numerics/motion/batch.hpp>
-#include <numerics/search/hills.hpp>
+#include <numerics/search/stations.hpp>
 #include <optional>
 
 namespace rederive::numerics {

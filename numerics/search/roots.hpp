@@ -9,23 +9,27 @@ namespace rederive::numerics {
 
 using RealFunction = std::function<double(double)>;
 
-/// Bisects to two neighbouring numbers: at `inside` `holds` is as at the first end, at `outside` as at the
-/// other. Throws std::invalid_argument if it is the same at both ends.
+/// Two numbers, neighbours or close together, between which something changes.
 struct Change {
   double inside, outside;
 };
+
+/// Returns two neighbouring numbers, found by bisection: at the first one `holds` is as at the argument
+/// `inside`, at the second one as at `outside`. Throws std::invalid_argument if it is the same at both
+/// arguments.
 Change change_between(const std::function<bool(double)>& holds, double inside, double outside);
 
-/// The root, to the last bits, of a continuous f that has different signs at two arguments: Brent, Algorithms
-/// for Minimization without Derivatives (1973), chapter 4. Throws std::invalid_argument if the signs are the
-/// same.
+/// Returns the root, to the last bits, of a continuous f with different signs at `low` and `high`: R. P.
+/// Brent, Algorithms for Minimization without Derivatives (1973), chapter 4. Throws std::invalid_argument if
+/// the signs are the same.
 double root_between(const RealFunction& f, double low, double high);
 
-/// Where an f that first falls and then rises is least, as exactly as its values tell: Brent, chapter 5.
+/// Returns where f, which first falls and then rises, is least, as exactly as its values allow: Brent,
+/// chapter 5.
 double least_between(const RealFunction& f, double low, double high);
 
-/// The changes of sign from `low` to `high`, in order, each with `inside` below: those between `count`
-/// points, and those of dips of |f| that pass through zero in between.
+/// Returns the changes of sign of f from `low` to `high`, in order, each with `inside` below `outside`. It
+/// finds changes between `count` points, and dips of |f| that pass through zero between two points.
 std::vector<Change> sign_changes(const RealFunction& f, double low, double high, int count);
 
 }  // namespace rederive::numerics

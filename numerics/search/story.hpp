@@ -6,6 +6,7 @@
 
 namespace rederive::numerics {
 
+/// One motion in full.
 struct Story {
   Outcome outcome;
   std::optional<Real> overturn_time;  ///< last passage of |theta| = alpha outward

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numerics/search/edges.hpp>
-#include <numerics/search/hills.hpp>
+#include <numerics/search/stations.hpp>
 #include <numerics/search/windows.hpp>
 #include <stdexcept>
 #include <tuple>

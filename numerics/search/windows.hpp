@@ -2,24 +2,25 @@
 #pragma once
 
 #include <numerics/motion/overturning.hpp>
-#include <numerics/search/window_search.hpp>
+#include <numerics/search/stations.hpp>
 #include <optional>
 #include <vector>
 
 namespace rederive::numerics {
 
-/// Amplitudes a_p/(alpha g) from .. to that overturn with one code; `to` is empty if it reaches the largest
-/// asked.
+/// An interval of amplitudes a_p/(alpha g) that overturn with one code; `to` is empty if it reaches the
+/// largest one asked.
 struct Window {
   double from;
   std::optional<double> to;
   int code;
 };
 
-/// Relative: linear edges come from closed forms in 64 binary digits, nonlinear ones from an integration.
+/// Returns the relative error of an edge: linear edges come from closed forms in 64 binary digits, nonlinear
+/// ones from an integration.
 constexpr double exactness_of_edges(Model model) { return model == Model::linear ? 1e-12 : 1e-10; }
 
-/// All windows between start_level and `largest`, in order.
+/// Returns all windows between start_level and `largest`, in order.
 ///
 /// Along a fixed itinerary (impacts during the pulse) both margins are continuous in the amplitude. Gaps are
 /// halved, all together, where the itinerary or the code changes and where a margin, seen through its second
@@ -31,11 +32,11 @@ constexpr double exactness_of_edges(Model model) { return model == Model::linear
 /// 0 < largest <= 1e6, and Stopped once `stop` is true.
 std::vector<Window> overturning_windows(const PulseCase& asked, const WindowSearch& search = {});
 
-/// Windows narrower than this, in units of alpha g, may be missing from what a search finds; below the least
-/// amplitude alone it looks for narrower ones than everywhere.
+/// Returns the width, in units of alpha g, below which a window may be missing from the result of a search.
+/// It is less for the least amplitude alone.
 double narrowest_found(const WindowSearch& search);
 
-/// The window of the smallest amplitude, if any.
+/// Returns the window of the smallest amplitude, if there is one.
 std::optional<Window> least_window(const std::vector<Window>& windows);
 
 }  // namespace rederive::numerics
