@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <numerics/commands/options.hpp>
-#include <numerics/commands/subcommands.hpp>
 #include <numerics/commands/sweep.hpp>
 #include <numerics/pictures/figures.hpp>
 
@@ -37,26 +36,16 @@ int run_figure(const FigureCommand& options) {
 
 void add_figure(CLI::App& app, Run& run) {
   auto* command = app.add_subcommand("figure", "Compute and draw a figure of the paper, 8 to 16.");
-  auto options = std::make_shared<FigureCommand>();
-  command->add_option("number", options->number, "Number of the figure, from 8 to 16.")
-      ->required()
-      ->type_name("NUMBER");
-  command->add_option("--out", options->out, "Draw the figure to a file .svg, .png or .pdf.")
-      ->check(plot_name())
-      ->type_name("FILE");
-  command->add_option("--data", options->data, "Write the curves as CSV.")
-      ->check(file_name)
-      ->type_name("FILE");
-  command
-      ->add_option("--ground-acceleration", options->ground_acceleration,
-                   "Set a_g/g of figure 16, from 0 to 10. Default: 0.24.")
-      ->type_name("NUMBER");
-  add_engine(*command, options->engine);
-  command
-      ->add_option("--threads", options->threads, "Use T threads, from 1 to 1024. Default: all processors.")
-      ->type_name("T");
+  FigureCommand& options = options_for(*command, run, run_figure);
+  add_text(*command, "number", options.number, "NUMBER", "Number of the figure, from 8 to 16.")->required();
+  add_plot(*command, "--out", options.out, "Draw the figure to a file .svg, .png or .pdf.");
+  add_file(*command, "--data", options.data, "Write the curves as CSV.");
+  add_text(*command, "--ground-acceleration", options.ground_acceleration, "NUMBER",
+           "Set a_g/g of figure 16, from 0 to 10. Default: 0.24.");
+  add_engine(*command, options.engine);
+  add_text(*command, "--threads", options.threads, "T",
+           "Use T threads, from 1 to 1024. Default: all processors.");
   command->footer("Example:\n  $ rocking figure 10 --out figure.svg --data figure.csv\n");
-  command->callback([options, &run] { run = [options] { return run_figure(*options); }; });
 }
 
 }  // namespace rederive::numerics::commands

@@ -5,11 +5,9 @@
 #include <derivations/program/csv.hpp>
 #include <filesystem>
 #include <map>
-#include <numerics/commands/blocks.hpp>
+#include <numerics/commands/inputs.hpp>
 #include <numerics/commands/options.hpp>
 #include <numerics/commands/ranks.hpp>
-#include <numerics/commands/record_options.hpp>
-#include <numerics/commands/subcommands.hpp>
 #include <numerics/commands/sweep.hpp>
 #include <numerics/pictures/plot.hpp>
 #include <numerics/search/fragility.hpp>
@@ -79,7 +77,7 @@ Fragility asked_of(const FragilityCommand& options) {
   const Span span = span_of("--amplitudes", options.amplitudes);
   if (!(span.from > 0 && span.to <= 1e6))
     throw BadInput(fmt::format("--amplitudes {} must lie above 0 and at most at 1e6", options.amplitudes));
-  for (int i = 0; i < span.count; ++i) asked.peaks.push_back(station(span, i));
+  asked.peaks = span.values();
   if (asked.peaks.size() > 1 && !(asked.peaks.front() < asked.peaks.back()))
     throw BadInput(fmt::format(
         "--amplitudes {} are all the same: a curve needs at least two different values", options.amplitudes));
@@ -136,7 +134,7 @@ Json json_of(const Fragility& all) {
                                   {"restitution", block.of.block.restitution},
                                   {"median", curve ? json_of(curve->median()) : Json()},
                                   {"beta", curve ? json_of(curve->beta()) : Json()},
-                                  {"why_no_fit", curve ? Json() : Json(block.fit.why_none)},
+                                  {"why_no_fit", curve ? Json() : Json(words_for(*block.fit.why_none))},
                                   {"levels", std::move(levels)}});
   }
   return document;
@@ -164,7 +162,7 @@ void print_table(const Fragility& all) {
       fmt::print("lognormal: median {:.6g} {} ({:.6g} to {:.6g}), beta {:.6g} ({:.6g} to {:.6g}); 95 %\n",
                  median.value, all.unit(), median.low, median.high, beta.value, beta.low, beta.high);
     } else {
-      fmt::print("no lognormal curve: {}\n", block.fit.why_none);
+      fmt::print("no lognormal curve: {}\n", words_for(*block.fit.why_none));
     }
   }
 }
@@ -246,37 +244,32 @@ int run_fragility(const FragilityCommand& options) {
 void add_fragility(CLI::App& app, Run& run) {
   auto* command = app.add_subcommand(
       "fragility", "Compute the share of records that overturn a block, and its lognormal curve.");
-  auto options = std::make_shared<FragilityCommand>();
-  const auto add = [&](const char* name, std::string& into, const char* type, const char* what) {
-    return command->add_option(name, into, what)->type_name(type);
-  };
-  auto* records = add("--records", options->records, "DIR",
-                      "Read the recorded accelerations in this folder, as response --record does.")
+  FragilityCommand& options = options_for(*command, run, run_fragility);
+  auto* records = add_text(*command, "--records", options.records, "DIR",
+                           "Read the recorded accelerations in this folder, as response --record does.")
                       ->required();
-  add("--amplitudes", options->amplitudes, "A1:A2:N",
-      "Scale the peak of each record to N values from A1 to A2, above 0 and up to 1e6.")
+  add_text(*command, "--amplitudes", options.amplitudes, "A1:A2:N",
+           "Scale the peak of each record to N values from A1 to A2, above 0 and up to 1e6.")
       ->required();
-  add("--peak", options->peak, "NAME",
-      "Scale the peak acceleration in g, or the peak velocity in m/s. Default: acceleration.")
+  add_text(*command, "--peak", options.peak, "NAME",
+           "Scale the peak acceleration in g, or the peak velocity in m/s. Default: acceleration.")
       ->check(CLI::IsMember({"acceleration", "velocity"}));
-  auto* blocks =
-      add("--blocks", options->blocks, "FILE",
-          "Read the blocks from a TOML file of [[block]] tables, each with name, restitution, and either\n"
-          "half_width and half_height or alpha and frequency_parameter.");
-  add_block_options(*command, options->common);
+  auto* blocks = add_text(
+      *command, "--blocks", options.blocks, "FILE",
+      "Read the blocks from a TOML file of [[block]] tables, each with name, restitution, and either\n"
+      "half_width and half_height or alpha and frequency_parameter.");
+  add_block_options(*command, options.common);
   for (const char* name : {"--alpha", "--frequency-parameter", "--half-width", "--restitution"})
     blocks->excludes(command->get_option(name));
-  add_model(*command, options->common.model);
-  add_record_flags(*command, options->reading, records);
-  add("--threads", options->threads, "T",
-      "Use T threads, from 1 to 1024. Default: all processors; under mpirun, 1 per rank.");
-  add("--csv", options->csv, "FILE", "Write the table as CSV.")->check(file_name);
-  add("--plot", options->plot, "FILE", "Draw the curves to a file .svg, .png or .pdf.")->check(plot_name());
-  add_json(*command, options->common.json);
+  add_model(*command, options.common.model);
+  add_record_flags(*command, options.reading, records);
+  add_threads(*command, options.threads);
+  add_file(*command, "--csv", options.csv, "Write the table as CSV.");
+  add_plot(*command, "--plot", options.plot, "Draw the curves to a file .svg, .png or .pdf.");
+  add_json(*command, options.common.json);
   command->footer(
       "Example:\n  $ rocking fragility --records quakes --amplitudes 0.1:1:10 --half-width 0.3 --half-height "
       "1\n");
-  command->callback([options, &run] { run = [options] { return run_fragility(*options); }; });
 }
 
 }  // namespace rederive::numerics::commands

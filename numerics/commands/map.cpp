@@ -5,10 +5,9 @@
 #include <numerics/commands/map_file.hpp>
 #include <numerics/commands/options.hpp>
 #include <numerics/commands/ranks.hpp>
-#include <numerics/commands/subcommands.hpp>
 #include <numerics/commands/sweep.hpp>
 #include <numerics/pictures/plot.hpp>
-#include <numerics/search/map.hpp>
+#include <numerics/search/grid.hpp>
 
 namespace rederive::numerics::commands {
 namespace {
@@ -45,9 +44,7 @@ std::vector<double> stations(const std::string& option, const std::string& text,
   const Span span = span_of(option, text);
   if (!(span.from >= low && span.to <= high))
     throw BadInput(fmt::format("{} {} must lie between {} and {}", option, text, low, high));
-  std::vector<double> values;
-  for (int i = 0; i < span.count; ++i) values.push_back(station(span, i));
-  return values;
+  return span.values();
 }
 
 Attributes attributes_of(const MapCommand& options, const PulseCase& asked) {
@@ -68,7 +65,30 @@ Attributes attributes_of(const MapCommand& options, const PulseCase& asked) {
       {"tolerance", asked.tolerance}};
 }
 
+/// Returns what a map is computed from, as FILE.part keeps it.
+nlohmann::ordered_json about(const Attributes& attributes, const std::vector<double>& omega_ratios,
+                             const std::vector<double>& amplitudes) {
+  nlohmann::ordered_json all;
+  for (const auto& [name, value] : attributes)
+    std::visit([&, &name = name](const auto& of) { all[name] = of; }, value);
+  all["omega_ratios"] = omega_ratios;
+  all["amplitudes"] = amplitudes;
+  return all;
+}
+
+/// Writes the file of a map that is complete, and removes what kept its columns.
+void finish(MapPart& part, const Attributes& attributes, const OutcomeMap& map) {
+#ifdef REDERIVE_HDF5
+  write_whole(part.target(), hdf5_of(attributes, map));
+#endif
+  part.remove();
+}
+
 int run_map(const MapCommand& options) {
+#ifndef REDERIVE_HDF5
+  if (!options.hdf5.empty())
+    throw BadInput("--hdf5 is not available: this program was built without HDF5 (Debian: libhdf5-dev)");
+#endif
   const auto ratios = stations("--omega", options.omega, 0.01, 1000);
   const auto amplitudes = stations("--amplitude", options.amplitude, 0, 1e6);
   if (ratios.size() * amplitudes.size() > 50'000'000)
@@ -82,19 +102,20 @@ int run_map(const MapCommand& options) {
                     "rocking can start",
                     static_cast<double>(level)));
   const Work work = sweep_work(options.threads, static_cast<int>(ratios.size()), "frequencies");
-  std::optional<MapFile> file;
+  std::optional<MapPart> part;
   MapKeeper keeper;
   if (!options.hdf5.empty() && is_first_rank()) {
-    file.emplace(options.hdf5, attributes_of(options, asked), ratios, amplitudes);
-    keeper = {file->known(), [&](const OutcomeMap& map, std::size_t first, std::size_t last) {
-                file->keep(map, first, last);
+    part.emplace(ordinary_target(options.hdf5), about(attributes_of(options, asked), ratios, amplitudes),
+                 ratios.size(), amplitudes.size());
+    keeper = {part->known(), [&](const OutcomeMap& map, std::size_t first, std::size_t last) {
+                for (std::size_t i = first; i < last; ++i) part->keep(i, map.codes[i]);
               }};
   }
   const OutcomeMap map = outcome_map(asked, ratios, amplitudes, work, std::move(keeper));
   const bool stopped = was_interrupted(work);
-  if (file && !stopped) file->finish(map);
-  if (file && stopped)
-    std::fprintf(stderr, "the same command continues from '%s'\n", printable_name(file->part()).c_str());
+  if (part && stopped)
+    std::fprintf(stderr, "the same command continues from '%s'\n", printable_name(part->file()).c_str());
+  if (part && !stopped) finish(*part, attributes_of(options, asked), map);
   if (!options.csv.empty()) write_whole(options.csv, csv_of(map));
   if (!options.plot.empty())
     draw(Shades{map.omega_ratios, map.amplitudes, map.codes, "ω_p/p (dimensionless)",
@@ -113,32 +134,26 @@ int run_map(const MapCommand& options) {
 
 void add_map(CLI::App& app, Run& run) {
   auto* command = app.add_subcommand("map", "Compute the outcome over a grid of omega_p/p and amplitude.");
-  auto options = std::make_shared<MapCommand>();
-  add_common_options(*command, options->common, Frequency::absent);
-  const auto add = [&](const char* name, std::string& into, const char* type, const char* what) {
-    return command->add_option(name, into, what)->type_name(type);
-  };
-  add("--omega", options->omega, "W1:W2:N",
-      "Set the frequencies omega_p/p: from W1 to W2 (0.01 to 1000), N values.")
+  MapCommand& options = options_for(*command, run, run_map);
+  add_common_options(*command, options.common, Frequency::absent);
+  add_text(*command, "--omega", options.omega, "W1:W2:N",
+           "Set the frequencies omega_p/p: from W1 to W2 (0.01 to 1000), N values.")
       ->required();
-  add("--amplitude", options->amplitude, "A1:A2:M",
-      "Set the amplitudes a_p/(alpha g): from A1 to A2 (0 to 1e6), M values.")
+  add_text(*command, "--amplitude", options.amplitude, "A1:A2:M",
+           "Set the amplitudes a_p/(alpha g): from A1 to A2 (0 to 1e6), M values.")
       ->required();
-  add("--threads", options->threads, "T",
-      "Use T threads, from 1 to 1024. Default: all processors; under mpirun, 1 per rank.");
-  add("--tolerance", options->tolerance, "NUMBER",
-      "Set the error of a motion, relative to alpha, from 1e-15 to 1e-3. Default: 1e-12.");
-  add_engine(*command, options->common.engine);
-  add("--csv", options->csv, "FILE", "Write the grid as CSV. If interrupted, write the rows that are done.")
-      ->check(file_name);
-  add("--hdf5", options->hdf5, "FILE",
-      "Write the grid as HDF5. If interrupted, the same command continues from FILE.part.")
-      ->check(file_name);
-  add("--plot", options->plot, "FILE", "Draw the map to a file .svg, .png or .pdf.")->check(plot_name());
+  add_threads(*command, options.threads);
+  add_text(*command, "--tolerance", options.tolerance, "NUMBER",
+           "Set the error of a motion, relative to alpha, from 1e-15 to 1e-3. Default: 1e-12.");
+  add_engine(*command, options.common.engine);
+  add_file(*command, "--csv", options.csv,
+           "Write the grid as CSV. If interrupted, write the rows that are done.");
+  add_file(*command, "--hdf5", options.hdf5,
+           "Write the grid as HDF5. If interrupted, the same command continues from FILE.part.");
+  add_plot(*command, "--plot", options.plot, "Draw the map to a file .svg, .png or .pdf.");
   command->footer(
       "Examples:\n  $ rocking map --omega 0.5:8:200 --amplitude 1:12:200 --hdf5 map.h5\n  $ mpirun -np 4 "
       "rocking map --omega 0.5:8:200 --amplitude 1:12:200 --csv map.csv\n");
-  command->callback([options, &run] { run = [options] { return run_map(*options); }; });
 }
 
 }  // namespace rederive::numerics::commands

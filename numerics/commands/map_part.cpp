@@ -8,7 +8,7 @@
 #include <cerrno>
 #include <cstring>
 #include <derivations/program/program.hpp>
-#include <numerics/commands/map_part.hpp>
+#include <numerics/commands/map_file.hpp>
 #include <system_error>
 
 namespace rederive::numerics::commands {

@@ -42,7 +42,7 @@ void add_engine(CLI::App& app, Engine& engine) {
 
 void add_block_options(CLI::App& app, CommonOptions& options) {
   const auto text = [&](const char* name, std::string& into, const char* what) {
-    return app.add_option(name, into, what)->type_name("NUMBER");
+    return add_text(app, name, into, "NUMBER", what);
   };
   auto* alpha = text("--alpha", options.alpha,
                      "Set the stockiness atan(b/h) of the block in rad, between 0 and pi/2. Default: 0.25.");
@@ -70,17 +70,48 @@ void add_json(CLI::App& app, bool& json) {
 
 void add_common_options(CLI::App& app, CommonOptions& options, Frequency frequency) {
   if (frequency == Frequency::required)
-    app.add_option("--omega", options.omega,
-                   "Set the frequency omega_p/p of the pulse, from 0.01 to 1000. Required for a pulse.")
-        ->type_name("W");
+    add_text(app, "--omega", options.omega, "W",
+             "Set the frequency omega_p/p of the pulse, from 0.01 to 1000. Required for a pulse.");
   add_block_options(app, options);
   add_model(app, options.model);
   add_choice(app, "--pulse", options.pulse, {{"sine", Pulse::sine}, {"cosine", Pulse::cosine}},
              "Choose the pulse of the ground acceleration: one sine or one cosine. Default: sine.");
-  app.add_option("--theta0", options.theta0, "Set theta at t = 0 in rad. Default: 0.")->type_name("NUMBER");
-  app.add_option("--thetadot0", options.thetadot0, "Set thetadot at t = 0 in rad/s. Default: 0.")
-      ->type_name("NUMBER");
+  add_text(app, "--theta0", options.theta0, "NUMBER", "Set theta at t = 0 in rad. Default: 0.");
+  add_text(app, "--thetadot0", options.thetadot0, "NUMBER", "Set thetadot at t = 0 in rad/s. Default: 0.");
   add_json(app, options.json);
+}
+
+CLI::Option* add_text(CLI::App& app, const char* name, std::string& into, const char* type,
+                      const char* what) {
+  return app.add_option(name, into, what)->type_name(type);
+}
+
+void add_file(CLI::App& app, const char* name, std::string& into, const char* what) {
+  add_text(app, name, into, "FILE", what)->check(file_name);
+}
+
+void add_plot(CLI::App& app, const char* name, std::string& into, const char* what) {
+  const auto check = [](std::string& file) -> std::string {
+    try {
+      if (!file.empty()) check_plot_name(file);
+      return file_name(file);
+    } catch (const std::invalid_argument& error) {
+      return error.what();
+    }
+  };
+  add_text(app, name, into, "FILE", what)->check(CLI::Validator(check, ""));
+}
+
+void add_threads(CLI::App& app, std::string& into) {
+  add_text(app, "--threads", into, "T",
+           "Use T threads, from 1 to 1024. Default: all processors; under mpirun, 1 per rank.");
+}
+
+void add_search(CLI::App& app, std::string& max_amplitude, bool& least) {
+  add_text(app, "--max-amplitude", max_amplitude, "NUMBER",
+           "Search up to this amplitude, in units of alpha g, from 1e-9 to 1e6. Default: 12.");
+  app.add_flag("--least", least,
+               "Find the least amplitude alone, in windows down to a width of 1e-9 alpha g.");
 }
 
 double number(const std::string& option, const std::string& text) {
@@ -164,18 +195,13 @@ std::string padded(std::string text, std::size_t width) {
   return text;
 }
 
-const CLI::Validator& plot_name() {
-  static const CLI::Validator validator(
-      [](std::string& name) -> std::string {
-        try {
-          check_plot_name(name);
-          return file_name(name);
-        } catch (const std::invalid_argument& error) {
-          return name.empty() ? file_name(name) : error.what();
-        }
-      },
-      "");
-  return validator;
+void add_case(nlohmann::ordered_json& document, const PulseCase& asked, double narrowest) {
+  document["alpha"] = asked.block.alpha;
+  document["restitution"] = asked.block.restitution;
+  document["model"] = name_of(asked.model);
+  document["pulse"] = name_of(asked.pulse);
+  document["unit"] = "alpha_g";
+  document["windows_narrower_than_may_be_missing"] = narrowest;
 }
 
 void print_json(const nlohmann::ordered_json& document) { fmt::print("{}\n", document.dump(2)); }
@@ -203,9 +229,10 @@ Span span_of(const std::string& option, const std::string& text) {
                       number(option, text.substr(second + 1)));
 }
 
-double station(const Span& span, int index) {
-  if (span.count == 1) return span.from;
-  return std::lerp(span.from, span.to, static_cast<double>(index) / (span.count - 1));
+std::vector<double> Span::values() const {
+  std::vector<double> all{from};
+  for (int i = 1; i < count; ++i) all.push_back(std::lerp(from, to, static_cast<double>(i) / (count - 1)));
+  return all;
 }
 
 }  // namespace rederive::numerics::commands

@@ -165,7 +165,7 @@ std::unique_ptr<Ranks> loaded_ranks() {
 #endif
 }
 
-/// On another rank than 0: whatever happens is told to rank 0, which ends with the code of it.
+/// Runs a command on a rank other than 0, and sends to rank 0 what went wrong.
 int run_for_first_rank(const std::function<int()>& run, bool shares) {
   std::string last(1, leaves);
   try {

@@ -9,7 +9,7 @@
 
 namespace rederive::numerics::commands {
 
-/// Letters between the processes. MPI itself stands in a library of its own, loaded under mpirun only.
+/// The letters between the processes. MPI is in a library of its own, which is loaded under mpirun only.
 class Ranks {
  public:
   struct Letter {
@@ -20,23 +20,23 @@ class Ranks {
   virtual int rank() const = 0;
   virtual int size() const = 0;
   virtual void send(int to, const std::string& text) = 0;
-  virtual std::optional<Letter> receive() = 0;  ///< if one is there
-  virtual std::string wait() = 0;               ///< for one from rank 0
+  virtual std::optional<Letter> receive() = 0;  ///< a letter, if one has arrived
+  virtual std::string wait() = 0;               ///< waits for a letter from rank 0
 };
 
-/// To be called first: ranks other than 0 are silent from here on.
+/// Makes ranks other than 0 silent. Call it first.
 void be_silent_unless_first();
 
-/// Runs a command. Under mpirun each rank calls it; where the command does not share its work, rank 0 alone
-/// runs. What any rank throws, rank 0 throws, when all others have ended. Throws BadInput under mpirun if
-/// this program was built without MPI.
+/// Runs a command and returns its exit code. Under mpirun each rank calls this function; unless the command
+/// `shares` its work, rank 0 alone runs it. Rank 0 throws what any rank throws, after all others have ended.
+/// Throws BadInput under mpirun if this program was built without MPI.
 int run_in_ranks(const std::function<int()>& run, bool shares);
 
-/// Whether this is the one process, or rank 0.
+/// Returns whether this is the only process, or rank 0.
 bool is_first_rank();
 
-/// As many as there are processes, and Work::deal where they are more than one. On other ranks than 0 share()
-/// then does not return: when nothing is left to do it leaves the command.
+/// Sets Work::processes, and Work::deal if there are several processes. On ranks other than 0, share() then
+/// does not return: when nothing is left to do, it leaves the command.
 void share_among_ranks(Work& work);
 
 }  // namespace rederive::numerics::commands

@@ -3,9 +3,8 @@
 
 #include <cmath>
 #include <derivations/program/data_folder.hpp>
+#include <numerics/commands/inputs.hpp>
 #include <numerics/commands/options.hpp>
-#include <numerics/commands/record_options.hpp>
-#include <numerics/commands/subcommands.hpp>
 #include <numerics/pictures/figures.hpp>
 #include <numerics/search/story.hpp>
 #include <stdexcept>
@@ -168,31 +167,28 @@ int response(const ResponseCommand& options) {
 void add_response(CLI::App& app, Run& run) {
   auto* command = app.add_subcommand(
       "response", "Compute the outcome, the events and the time history under one pulse or record.");
-  auto options = std::make_shared<ResponseCommand>();
-  add_common_options(*command, options->common, Frequency::required);
-  const auto add = [&](const char* name, std::string& into, const char* type, const char* what) {
-    return command->add_option(name, into, what)->type_name(type);
-  };
-  add("--amplitude", options->amplitude, "A",
-      "Set the amplitude a_p/(alpha g) of the pulse, from 0 to 1e6. Required for a pulse.");
-  add("--until", options->until, "TAU",
+  ResponseCommand& options = options_for(*command, run, response);
+  add_common_options(*command, options.common, Frequency::required);
+  add_text(*command, "--amplitude", options.amplitude, "A",
+           "Set the amplitude a_p/(alpha g) of the pulse, from 0 to 1e6. Required for a pulse.");
+  add_text(
+      *command, "--until", options.until, "TAU",
       "End the history at tau = p t, from 0 to 1e5. Default: shortly after the block overturns or rests,\n"
       "or 10 after the end of the ground motion.");
-  add("--csv", options->csv, "FILE", "Write the history as CSV.")->check(file_name);
-  add("--plot", options->plot, "FILE", "Draw the history to a file .svg, .png or .pdf.")->check(plot_name());
-  add("--page", options->page, "FILE", "Write a web page in which this case moves and can be changed.")
-      ->check(file_name);
-  add("--friction", options->friction, "MU",
-      "Say whether this coefficient of friction, from 0 to 1e9, is large enough.");
+  add_file(*command, "--csv", options.csv, "Write the history as CSV.");
+  add_plot(*command, "--plot", options.plot, "Draw the history to a file .svg, .png or .pdf.");
+  add_file(*command, "--page", options.page, "Write a web page in which this case moves and can be changed.");
+  add_text(*command, "--friction", options.friction, "MU",
+           "Say whether this coefficient of friction, from 0 to 1e9, is large enough.");
   auto* record =
-      add("--record", options->record, "FILE",
-          "Use a recorded acceleration: columns, PEER AT2, K-NET (about its mean), ESM, SMC or COSMOS.");
-  add_record_flags(*command, options->reading, record);
-  add("--scale", options->scale, "NUMBER", "Multiply the record by this number. Default: 1.")->needs(record);
+      add_text(*command, "--record", options.record, "FILE",
+               "Use a recorded acceleration: columns, PEER AT2, K-NET (about its mean), ESM, SMC or COSMOS.");
+  add_record_flags(*command, options.reading, record);
+  add_text(*command, "--scale", options.scale, "NUMBER", "Multiply the record by this number. Default: 1.")
+      ->needs(record);
   command->footer(
       "Examples:\n  $ rocking response --omega 3 --amplitude 1.41 --page motion.html\n  $ rocking response "
       "--record quake.at2 --half-width 0.3 --half-height 1 --plot motion.svg\n");
-  command->callback([options, &run] { run = [options] { return response(*options); }; });
 }
 
 }  // namespace rederive::numerics::commands

@@ -1,7 +1,7 @@
 // rocking: thresholds, histories, spectra and figures of the rocking block, in numbers.
 #include <derivations/program/program.hpp>
+#include <numerics/commands/options.hpp>
 #include <numerics/commands/ranks.hpp>
-#include <numerics/commands/subcommands.hpp>
 #include <stdexcept>
 
 namespace {

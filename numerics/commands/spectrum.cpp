@@ -4,10 +4,9 @@
 #include <cmath>
 #include <limits>
 #include <numerics/commands/options.hpp>
-#include <numerics/commands/subcommands.hpp>
 #include <numerics/commands/sweep.hpp>
 #include <numerics/pictures/plot.hpp>
-#include <numerics/search/spectrum.hpp>
+#include <numerics/search/grid.hpp>
 
 namespace rederive::numerics::commands {
 namespace {
@@ -63,13 +62,9 @@ Plot figure_of(const std::vector<SpectrumPoint>& points, const PulseCase& asked,
 
 nlohmann::ordered_json json_of(const std::vector<SpectrumPoint>& points, const PulseCase& asked,
                                const WindowSearch& search) {
-  nlohmann::ordered_json document{{"alpha", asked.block.alpha},
-                                  {"restitution", asked.block.restitution},
-                                  {"model", name_of(asked.model)},
-                                  {"pulse", name_of(asked.pulse)},
-                                  {"unit", "alpha_g"},
-                                  {"windows_narrower_than_may_be_missing", narrowest_found(search)},
-                                  {"points", nlohmann::ordered_json::array()}};
+  nlohmann::ordered_json document;
+  add_case(document, asked, narrowest_found(search));
+  document["points"] = nlohmann::ordered_json::array();
   for (const auto& at : points) {
     if (!at.done) continue;
     nlohmann::ordered_json point{
@@ -91,8 +86,7 @@ int run_spectrum(const SpectrumCommand& options) {
   WindowSearch search;
   search.least = options.least;
   search.largest = number_between("--max-amplitude", options.max_amplitude, 1e-9, 1e6);
-  std::vector<double> ratios;
-  for (int i = 0; i < span.count; ++i) ratios.push_back(station(span, i));
+  const std::vector<double> ratios = span.values();
   const Work work = sweep_work(options.threads, span.count, "frequencies");
   if (work.progress) work.progress(0);
   const auto points = spectrum(asked, ratios, search, work);
@@ -112,26 +106,19 @@ int run_spectrum(const SpectrumCommand& options) {
 
 void add_spectrum(CLI::App& app, Run& run) {
   auto* command = app.add_subcommand("spectrum", "Compute the thresholds of overturning against omega_p/p.");
-  auto options = std::make_shared<SpectrumCommand>();
-  add_common_options(*command, options->common, Frequency::absent);
-  const auto add = [&](const char* name, std::string& into, const char* type, const char* what) {
-    return command->add_option(name, into, what)->type_name(type);
-  };
-  add("--from", options->from, "W1", "Set the first omega_p/p, from 0.01 to 1000.")->required();
-  add("--to", options->to, "W2", "Set the last omega_p/p, from 0.01 to 1000.")->required();
-  add("--points", options->points, "N", "Set the number of points, from 1 to 100000.")->required();
-  add("--max-amplitude", options->max_amplitude, "NUMBER",
-      "Search up to this amplitude, in units of alpha g, from 1e-9 to 1e6. Default: 12.");
-  add_engine(*command, options->common.engine);
-  command->add_flag("--least", options->least,
-                    "Find the least amplitude alone, in windows down to a width of 1e-9 alpha g.");
-  add("--threads", options->threads, "T",
-      "Use T threads, from 1 to 1024. Default: all processors; under mpirun, 1 per rank.");
-  add("--csv", options->csv, "FILE", "Write the table as CSV. If interrupted, write the rows that are done.")
-      ->check(file_name);
-  add("--plot", options->plot, "FILE", "Draw the spectrum to a file .svg, .png or .pdf.")->check(plot_name());
+  SpectrumCommand& options = options_for(*command, run, run_spectrum);
+  add_common_options(*command, options.common, Frequency::absent);
+  add_text(*command, "--from", options.from, "W1", "Set the first omega_p/p, from 0.01 to 1000.")->required();
+  add_text(*command, "--to", options.to, "W2", "Set the last omega_p/p, from 0.01 to 1000.")->required();
+  add_text(*command, "--points", options.points, "N", "Set the number of points, from 1 to 100000.")
+      ->required();
+  add_search(*command, options.max_amplitude, options.least);
+  add_engine(*command, options.common.engine);
+  add_threads(*command, options.threads);
+  add_file(*command, "--csv", options.csv,
+           "Write the table as CSV. If interrupted, write the rows that are done.");
+  add_plot(*command, "--plot", options.plot, "Draw the spectrum to a file .svg, .png or .pdf.");
   command->footer("Example:\n  $ rocking spectrum --from 0.5 --to 8 --points 50 --plot spectrum.svg\n");
-  command->callback([options, &run] { run = [options] { return run_spectrum(*options); }; });
 }
 
 }  // namespace rederive::numerics::commands

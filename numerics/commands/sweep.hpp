@@ -8,14 +8,14 @@
 
 namespace rederive::numerics::commands {
 
-/// From --threads ("" = as many as the machine has, one a rank under mpirun), shared among ranks, with
-/// progress on a terminal and stopping at Ctrl-C.
+/// Returns work for the number of threads in --threads ("": all processors, or 1 per rank under mpirun),
+/// which is shared among ranks, stops at Ctrl-C, and shows "done of `count` `unit`" on a terminal.
 Work sweep_work(const std::string& threads, int count, const char* unit);
 
-/// Whether Ctrl-C was pressed; ends the progress line and says what comes of it.
+/// Returns whether Ctrl-C was pressed. If so, ends the line of progress and writes the consequence.
 bool was_interrupted(const Work& work, const char* consequence = "what was done is kept");
 
-/// Tells on a terminal, from two seconds on, how many motions a search for windows has followed; its end
+/// Shows on a terminal, after two seconds, how many motions a search for windows has followed. Its destructor
 /// clears the line.
 class SearchProgress {
  public:

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numerics/commands/options.hpp>
-#include <numerics/commands/subcommands.hpp>
 #include <numerics/commands/sweep.hpp>
 #include <numerics/search/windows.hpp>
 #include <stdexcept>
@@ -96,17 +95,12 @@ void print_answer(const Answer& answer) {
       asked.block.restitution);
   if (answer.windows.empty()) fmt::print("No amplitude in the range overturns the block.\n");
   const auto width = static_cast<std::size_t>(std::max(18, answer.digits + 2));
-  if (answer.least) {
-    for (const Window& window : answer.windows)
-      fmt::print("  {} {:+d}  {}\n", padded(from_text(answer, window), width), window.code,
-                 words_for(window.code));
-    fmt::print("  ({})\n", missing_windows(answer.narrowest));
-    return;
-  }
   for (const Window& window : answer.windows)
-    fmt::print("  {} to {} {:+d}  {}\n", padded(from_text(answer, window), width),
-               padded(to_text(answer, window), width), window.code, words_for(window.code));
+    fmt::print("  {}{} {:+d}  {}\n", padded(from_text(answer, window), width),
+               answer.least ? "" : " to " + padded(to_text(answer, window), width), window.code,
+               words_for(window.code));
   fmt::print("  ({})\n", missing_windows(answer.narrowest));
+  if (answer.least) return;
   fmt::print("\nClosed forms of the linear model:\n");
   for (const ClosedForm& root : answer.roots) {
     const std::string amplitude = answer.digits == 0 ? fmt::format("{:.15g}", root.amplitude)
@@ -117,23 +111,16 @@ void print_answer(const Answer& answer) {
 }
 
 void print_answer_as_json(const Answer& answer) {
-  const auto& asked = answer.asked;
-  Json document{{"omega_ratio", asked.omega_ratio},
-                {"alpha", asked.block.alpha},
-                {"restitution", asked.block.restitution},
-                {"model", name_of(asked.model)},
-                {"pulse", name_of(asked.pulse)},
-                {"unit", "alpha_g"},
-                {"windows_narrower_than_may_be_missing", answer.narrowest},
-                {"minimum", nullptr},
-                {"windows", Json::array()},
-                {"closed_forms", Json::array()}};
+  Json document{{"omega_ratio", answer.asked.omega_ratio}};
+  add_case(document, answer.asked, answer.narrowest);
+  document["minimum"] = nullptr;
   if (const auto least = least_window(answer.windows))
     document["minimum"] = {{"amplitude", from_json(answer, *least)}, {"code", least->code}};
-  for (const Window& window : answer.windows) document["windows"].push_back(window_json(answer, window));
-  for (const ClosedForm& root : answer.roots)
-    document["closed_forms"].push_back(closed_form_json(root, answer.digits));
-  if (answer.least) document["windows"] = document["closed_forms"] = nullptr;
+  Json windows = Json::array(), roots = Json::array();
+  for (const Window& window : answer.windows) windows.push_back(window_json(answer, window));
+  for (const ClosedForm& root : answer.roots) roots.push_back(closed_form_json(root, answer.digits));
+  document["windows"] = answer.least ? Json() : windows;
+  document["closed_forms"] = answer.least ? Json() : roots;
   print_json(document);
 }
 
@@ -164,18 +151,13 @@ int threshold(const ThresholdOptions& options) {
 void add_threshold(CLI::App& app, Run& run) {
   auto* command = app.add_subcommand(
       "threshold", "Find every window of amplitudes that overturns the block, and the closed forms.");
-  auto options = std::make_shared<ThresholdOptions>();
-  add_common_options(*command, options->common, Frequency::required);
-  add_engine(*command, options->common.engine);
-  command->add_flag("--least", options->least,
-                    "Find the least amplitude alone, in windows down to a width of 1e-9 alpha g.");
-  command
-      ->add_option("--max-amplitude", options->max_amplitude,
-                   "Search up to this amplitude, in units of alpha g, from 1e-9 to 1e6. Default: 12.")
-      ->type_name("NUMBER");
+  ThresholdOptions& options = options_for(*command, run, threshold);
+  add_common_options(*command, options.common, Frequency::required);
+  add_engine(*command, options.common.engine);
+  add_search(*command, options.max_amplitude, options.least);
   command
       ->add_option(
-          "--digits", options->digits,
+          "--digits", options.digits,
           "Write amplitudes and psi with N correct digits, from 1 to 60. Edges that no closed form gives\n"
           "have as many digits as are certain.")
       ->check(whole_number)
@@ -183,7 +165,6 @@ void add_threshold(CLI::App& app, Run& run) {
   command->footer(
       "Examples:\n  $ rocking threshold --omega 3\n  $ rocking threshold --omega 2 --model nonlinear --least "
       "--json\n");
-  command->callback([options, &run] { run = [options] { return threshold(*options); }; });
 }
 
 }  // namespace rederive::numerics::commands

@@ -43,11 +43,13 @@ Result mpirun(const Arguments& part, const Arguments& other = {}) { return begin
 /// every test is required.
 bool has_mpi() {
   if (!has_tool("mpirun")) return false;
-  const Result result = mpirun(ranks(1, {"spectrum", "--from", "1", "--to", "2", "--points", "2"}));
-  if (result.err.find("without MPI") == std::string::npos) return true;
-  CHECK(result.exit_code == 2);
+#ifdef REDERIVE_MPI
+  return true;
+#else
+  CHECK(mpirun(ranks(1, {"spectrum", "--from", "1", "--to", "2", "--points", "2"})).exit_code == 2);
   skip("built without MPI");
   return false;
+#endif
 }
 
 void write_records(const fs::path& folder, int count) {
@@ -115,12 +117,12 @@ TEST_CASE("1, 2 and 3 ranks print and write the bytes of one process") {
   CHECK(threads.out == run_program("rocking", grid).out);
 }
 
+#ifdef REDERIVE_HDF5
 TEST_CASE("a map in HDF5 has the same bytes from ranks, also where they go on from what one process left") {
   if (!has_mpi()) return;
   const TemporaryFolder folder;
   const std::string alone = folder.path / "alone.h5", shared = folder.path / "shared.h5";
   const Result first = run_program("rocking", with(grid, {"--hdf5", alone}));
-  if (first.err.find("without HDF5") != std::string::npos) return;
   REQUIRE(first.exit_code == 0);
   REQUIRE(mpirun(ranks(3, with(grid, {"--hdf5", shared}))).exit_code == 0);
   CHECK(read_file(shared) == read_file(alone));
@@ -136,6 +138,7 @@ TEST_CASE("a map in HDF5 has the same bytes from ranks, also where they go on fr
   CHECK(read_file(shared) == read_file(alone));
   check_refused(mpirun(ranks(2, with(grid, {"--hdf5", folder.path}))), folder.path);
 }
+#endif
 
 TEST_CASE("what does not share its work is done once") {
   if (!has_mpi()) return;

@@ -1,6 +1,6 @@
 #include <doctest/doctest.h>
 
-#include <numerics/search/map.hpp>
+#include <numerics/search/grid.hpp>
 
 using namespace rederive;
 using namespace rederive::numerics;

@@ -1,6 +1,6 @@
 #include <doctest/doctest.h>
 
-#include <numerics/search/spectrum.hpp>
+#include <numerics/search/grid.hpp>
 #include <stdexcept>
 
 using namespace rederive;
