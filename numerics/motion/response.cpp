@@ -94,7 +94,7 @@ class Walk {
   /// Ends a chain of impacts that is over before the ground can start the block again.
   void settle(const Piece& piece) {
     const Point& at = response_.end;
-    if (total_ > many_impacts) {
+    if (total_ > many_impacts && std::abs(at.velocity) < slow) {
       if (std::abs(ground_at(piece, at.time)) < upright_.level) rest_at(at.time);
     } else if (const std::optional<Real> time = time_of_rest(upright_, piece, at)) {
       rest_at(*time);

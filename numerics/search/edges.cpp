@@ -53,14 +53,12 @@ std::vector<Gap> narrowed(const PulseCase& asked, std::vector<Gap> gaps, const W
   return changes;
 }
 
-/// Whether closed forms are asked for a change that the kernel found: after at most 5,000 impacts for the
-/// edges of the first window, and after at most 100 for others. A motion by closed forms takes a hundred
-/// times as long as by the kernel. After 100 impacts it ends with the same edge to 1e-13. After 5,000 impacts
-/// the edges of both differ by their rounding, so that the search would follow thousands of motions to find
-/// them again.
+/// Returns whether closed forms are asked for a change that the kernel found: always for the edges of the
+/// first window, and for others after at most 100 impacts. A motion by closed forms takes a hundred times as
+/// long as by the kernel, and ends with the same edge to 1e-13.
 bool is_confirmed(std::size_t index, const Gap& change) {
-  const int most_impacts = index < 2 ? 5'000 : 100;
-  return std::max(change.low.outcome.impacts, change.high.outcome.impacts) <= most_impacts;
+  constexpr int most_impacts = 100;
+  return index < 2 || std::max(change.low.outcome.impacts, change.high.outcome.impacts) <= most_impacts;
 }
 
 /// Stations of closed forms around some changes that the kernel found, as far as the code before the first

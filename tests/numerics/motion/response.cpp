@@ -33,6 +33,15 @@ Real energy(const Block& block, int side, const Point& at) {
 
 }  // namespace
 
+TEST_CASE("a motion of more than 5000 impacts has one outcome, whether its history is kept or not") {
+  const Block block = make_block(0.25, 2.14, 1.0);
+  const GroundMotion motion = pulse_motion(Pulse::sine, 0.035L, 1.00017175791L, 1);
+  for (const bool history : {false, true})
+    CHECK(
+        outcome_at_end(block, Model::linear, respond(block, Model::linear, motion, {}, {.history = history}))
+            .code == 6298);
+}
+
 TEST_CASE("a block starts to theta < 0 under a positive ground acceleration") {
   for (Model model : {Model::linear, Model::nonlinear}) {
     const Response response = response_to(model, 2, 3);
