@@ -39,11 +39,6 @@ struct RecordOptions {
 /// marked as missing, or if samples are missing between two times.
 Record read_record(const std::string& file, const RecordOptions& options = {});
 
-/// The same for columns in `unit` and, if the file has no times, `step` seconds between values.
-inline Record read_record(const std::string& file, RecordUnit unit, double step = 0) {
-  return read_record(file, RecordOptions{.unit = unit, .step = step});
-}
-
 /// Returns the record, multiplied by `scale` and interpolated linearly, as the ground motion of a block with
 /// the alpha and p of `block`.
 GroundMotion record_motion(const Record& record, const Block& block, double scale = 1);

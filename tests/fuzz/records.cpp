@@ -11,7 +11,8 @@ using namespace rederive::numerics;
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const fuzz::File file(fuzz::text_of(data, size));
   for (const double step : {0.0, 0.01}) try {
-      const Record record = read_record(file.name(), RecordUnit::metres_per_second_squared, step);
+      const Record record =
+          read_record(file.name(), {.unit = RecordUnit::metres_per_second_squared, .step = step});
       fuzz::must(record.time.size() == record.acceleration.size() && record.time.size() >= 2,
                  "too few samples");
       for (std::size_t i = 0; i < record.time.size(); ++i) {

@@ -82,11 +82,12 @@ TEST_CASE("impossible pulses are refused") {
 
 TEST_CASE("records are read in their usual layouts") {
   const TemporaryFolder folder;
-  const Record two = read_record(written(folder, "# s, g\n0 0\n0.01, 0.5\n0.03;-0.25\n"), RecordUnit::g);
+  const Record two =
+      read_record(written(folder, "# s, g\n0 0\n0.01, 0.5\n0.03;-0.25\n"), {.unit = RecordUnit::g});
   CHECK(two.time == std::vector<double>{0, 0.01, 0.03});
   CHECK(two.acceleration == std::vector<double>{0, 0.5, -0.25});
-  const Record one =
-      read_record(written(folder, "9.81\n-19.62\n"), RecordUnit::metres_per_second_squared, 0.02);
+  const Record one = read_record(written(folder, "9.81\n-19.62\n"),
+                                 {.unit = RecordUnit::metres_per_second_squared, .step = 0.02});
   CHECK(one.time == std::vector<double>{0, 0.02});
   CHECK(one.acceleration == std::vector<double>{1, -2});
   const Record peer = read_record(written(folder,
@@ -101,11 +102,11 @@ TEST_CASE("what cannot be read is refused with file and line") {
   const TemporaryFolder folder;
   for (const char* text : {"", "0 1\n", "0 1\n0 2\n", "0 1\n1 nan\n", "0 1\n1 inf\n", "0 1\n1 x\n",
                            "0 1 2\n1 2 3\n", "1\n2\n", "0 1\n1 1e999\n", "\x01\x02\x03"})
-    CHECK_THROWS_AS(read_record(written(folder, text), RecordUnit::g), std::invalid_argument);
-  CHECK_THROWS_WITH_AS(read_record(written(folder, "0 1\n1 x\n"), RecordUnit::g),
+    CHECK_THROWS_AS(read_record(written(folder, text), {.unit = RecordUnit::g}), std::invalid_argument);
+  CHECK_THROWS_WITH_AS(read_record(written(folder, "0 1\n1 x\n"), {.unit = RecordUnit::g}),
                        doctest::Contains("record.txt:2"), std::invalid_argument);
-  CHECK_THROWS_AS(read_record("/nowhere/at/all", RecordUnit::g), std::invalid_argument);
-  CHECK_THROWS_AS(read_record(folder.path, RecordUnit::g), std::invalid_argument);
+  CHECK_THROWS_AS(read_record("/nowhere/at/all", {.unit = RecordUnit::g}), std::invalid_argument);
+  CHECK_THROWS_AS(read_record(folder.path, {.unit = RecordUnit::g}), std::invalid_argument);
 }
 
 TEST_CASE("a record is interpolated linearly in units of alpha g against p t") {
