@@ -1,6 +1,5 @@
 // Roots, absolute values, logarithms and the inverse circular functions. A factor that is never negative
 // leaves a root or an absolute value, and a factor of known sign leaves a logarithm.
-#include <algorithm>
 #include <derivations/identity/translator.hpp>
 
 namespace rederive {

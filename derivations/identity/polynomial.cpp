@@ -5,7 +5,7 @@
 #include <flint/fmpz_vec.h>
 
 #include <derivations/identity/polynomial.hpp>
-#include <derivations/numbers/ball.hpp>
+#include <derivations/numbers/value.hpp>
 #include <map>
 #include <tuple>
 

@@ -1,5 +1,4 @@
 // Signs and ranges of polynomials in the generators: known ones, and those that follow.
-#include <algorithm>
 #include <derivations/identity/exponential_ring.hpp>
 #include <derivations/language/functions.hpp>
 

@@ -1,12 +1,10 @@
 // Real numbers with a proven bound, by Arb: Johansson, "Arb: efficient arbitrary-precision midpoint-radius
-// interval arithmetic", IEEE Trans. Comput. 66 (2017). Conversion between the integers of FLINT and of CLN.
+// interval arithmetic", IEEE Trans. Comput. 66 (2017).
 #pragma once
 
 #include <mpfr.h>
 // Arb declares its functions for MPFR only if mpfr.h is included before it.
 #include <arb.h>
-#include <cln/integer.h>
-#include <cln/rational.h>
 
 #include <algorithm>
 #include <concepts>
@@ -14,32 +12,11 @@
 #include <stdexcept>
 #include <string>
 
-namespace rederive {
+namespace cln {
+class cl_RA;
+}
 
-/// An integer of FLINT that frees its memory.
-struct Integer {
-  Integer() { fmpz_init(z); }
-  explicit Integer(const cln::cl_I& value) : Integer() {
-    if (const auto length = cln::integer_length(value); length < 60) {
-      fmpz_set_si(z, cln::cl_I_to_long(value));
-    } else {
-      const Integer high(cln::ash(value, -static_cast<long>(length / 2)));
-      fmpz_mul_2exp(z, high.z, length / 2);
-      fmpz_add(z, z, Integer(cln::ldb(value, cln::cl_byte(length / 2, 0))).z);
-    }
-  }
-  Integer(const Integer&) = delete;
-  Integer& operator=(const Integer&) = delete;
-  ~Integer() { fmpz_clear(z); }
-  cln::cl_I value() const {
-    if (fmpz_fits_si(z)) return cln::cl_I(fmpz_get_si(z));
-    const auto half = fmpz_bits(z) / 2;
-    Integer high, low;
-    fmpz_fdiv_q_2exp(high.z, z, half), fmpz_fdiv_r_2exp(low.z, z, half);
-    return cln::ash(high.value(), static_cast<long>(half)) + low.value();
-  }
-  fmpz_t z;
-};
+namespace rederive {
 
 /// A real number in [middle - radius, middle + radius]. A result contains every value that the operation has
 /// on the operands, with the smaller of their precisions; it is not finite if a value is missing.
@@ -58,9 +35,7 @@ class Ball {
     mpfr_init2(exact, 64), mpfr_set_ld(exact, number, MPFR_RNDN);
     arf_set_mpfr(arb_midref(x_), exact), mpfr_clear(exact);
   }
-  Ball(const cln::cl_RA& q, long bits) : Ball(0, bits) {
-    arb_fmpz_div_fmpz(x_, Integer(cln::numerator(q)).z, Integer(cln::denominator(q)).z, bits);
-  }
+  Ball(const cln::cl_RA& q, long bits);
   Ball(const Ball& y) : bits_(y.bits_) { arb_init(x_), arb_set(x_, y.x_); }
   Ball(Ball&& y) noexcept : bits_(y.bits_) { arb_init(x_), arb_swap(x_, y.x_); }
   Ball& operator=(Ball y) noexcept { return arb_swap(x_, y.x_), bits_ = y.bits_, *this; }
@@ -114,12 +89,7 @@ class Ball {
     return Ball(*this).changed([&](Ball& y) { arb_add_error_2exp_si(y.x_, exponent); });
   }
   /// Returns the middle exactly. Throws std::domain_error if the ball is not moderate.
-  operator cln::cl_RA() const {
-    if (!is_moderate()) throw std::domain_error("the ball is too large or too small to be written");
-    Integer mantissa, exponent;
-    arf_get_fmpz_2exp(mantissa.z, exponent.z, arb_midref(x_));
-    return mantissa.value() * cln::expt(cln::cl_RA(2), fmpz_get_si(exponent.z));
-  }
+  operator cln::cl_RA() const;
   /// Returns the double (or long double) nearest to the middle.
   double to_double() const { return arf_get_d(arb_midref(x_), ARF_RND_NEAR); }
   long double to_real() const {

@@ -1,8 +1,5 @@
-#include <cln/integer.h>
-
 #include <derivations/language/functions.hpp>
 #include <derivations/numbers/value.hpp>
-#include <functional>
 #include <map>
 
 namespace rederive {
@@ -57,6 +54,17 @@ Ball image(const std::string& name, const Ball& x) {
 }
 
 }  // namespace
+
+Ball::Ball(const cl_RA& q, long bits) : Ball(0, bits) {
+  arb_fmpz_div_fmpz(x_, Integer(cln::numerator(q)).z, Integer(cln::denominator(q)).z, bits);
+}
+
+Ball::operator cl_RA() const {
+  if (!is_moderate()) throw std::domain_error("the ball is too large or too small to be written");
+  Integer mantissa, exponent;
+  arf_get_fmpz_2exp(mantissa.z, exponent.z, arb_midref(x_));
+  return mantissa.value() * cln::expt(cl_RA(2), fmpz_get_si(exponent.z));
+}
 
 Ball Constant::ball(long bits) const {
   return is_rational() ? Ball(a, bits) : Ball(a, bits) + Ball(b, bits) * Ball::pi(bits);

@@ -6,7 +6,7 @@
 #include <cln/integer.h>
 
 #include <cmath>
-#include <derivations/numbers/ball.hpp>
+#include <derivations/numbers/value.hpp>
 #include <optional>
 #include <tests/derivations/kernel/coq_files.hpp>
 
