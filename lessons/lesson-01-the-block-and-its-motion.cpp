@@ -6,7 +6,9 @@
 // Sample run:  lesson-01-the-block-and-its-motion --step 3
 #include <lessons/rocking_block/lesson.hpp>
 
-using namespace rederive;
+using namespace rederive::rocking_block;
+using namespace rederive::illustrations;
+using namespace rederive::page;
 
 namespace {
 

@@ -5,7 +5,12 @@
 // Sample run:  lesson-03-energy-and-the-barrier --step 3
 #include <lessons/rocking_block/lesson.hpp>
 
-using namespace rederive;
+using namespace rederive::numbers;
+using namespace rederive::decide;
+using namespace rederive::paper;
+using namespace rederive::rocking_block;
+using namespace rederive::illustrations;
+using namespace rederive::page;
 
 namespace {
 
@@ -62,13 +67,13 @@ void moment_rotation(Page& page) {
     so nothing turns until the moment of the ground exceeds that, as if the block were infinitely stiff.
     From there it *falls* with the rotation, down to nothing at $theta = alpha$. Stiffness is the slope of
     the moment:)");
-  page.show(page.derived("19").right.diff(rocking_block::theta));
+  page.show(page.derived("19").right.diff(rederive::rocking_block::theta));
   page.say(R"(
     and it is negative. Here a sentence of the paper deserves a second reading. It says that once the block
     rocks *its stiffness decreases gradually, becoming zero when* $theta = alpha$. Put $theta = alpha$ into
     the two formulas: what becomes zero there is the *moment*. The stiffness is not zero and does not
     decrease to it; it is negative all the way, and at $theta = alpha$ it is most negative:)");
-  page.show(page.with(page.derived("19").right.diff(rocking_block::theta), {{"theta", "alpha"}}));
+  page.show(page.with(page.derived("19").right.diff(rederive::rocking_block::theta), {{"theta", "alpha"}}));
   page.say(R"(
     The difference matters. A spring that becomes soft still brings you back. A negative stiffness is why a
     block that passes the crest does not hesitate, and why free rocking has no frequency of its own: the

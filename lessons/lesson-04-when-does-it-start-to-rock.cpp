@@ -5,7 +5,12 @@
 // Sample run:  lesson-04-when-does-it-start-to-rock --step 4
 #include <lessons/rocking_block/lesson.hpp>
 
-using namespace rederive;
+using namespace rederive::numbers;
+using namespace rederive::decide;
+using namespace rederive::paper;
+using namespace rederive::rocking_block;
+using namespace rederive::illustrations;
+using namespace rederive::page;
 
 namespace {
 

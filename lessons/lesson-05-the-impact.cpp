@@ -6,7 +6,13 @@
 #include <derivations/rocking_block/impact.hpp>
 #include <lessons/rocking_block/lesson.hpp>
 
-using namespace rederive;
+using namespace rederive::numbers;
+using namespace rederive::decide;
+using namespace rederive::mechanics;
+using namespace rederive::paper;
+using namespace rederive::rocking_block;
+using namespace rederive::illustrations;
+using namespace rederive::page;
 
 namespace {
 
@@ -70,12 +76,13 @@ void second_road(Page& page) {
     with C, plus that of the rotation about C. C moves across its radius from O; seen from O' that velocity
     has a lever arm smaller than $R$, because the two radii enclose twice the angle $alpha$. The program
     adds the two parts:)");
-  page.show(rocking_block::HO_minus, "=", rocking_block::momentum_before_impact_by_centre());
+  page.show(rederive::rocking_block::HO_minus, "=",
+            rederive::rocking_block::momentum_before_impact_by_centre());
   page.say("and divides by the moment after the impact:");
-  page.show(rocking_block::e, "=", rocking_block::restitution_by_parallel_axes());
+  page.show(rederive::rocking_block::e, "=", rederive::rocking_block::restitution_by_parallel_axes());
   Derivation second;
-  second.left = rocking_block::e;
-  second.right = rocking_block::restitution_by_parallel_axes();
+  second.left = rederive::rocking_block::e;
+  second.right = rederive::rocking_block::restitution_by_parallel_axes();
   page.compare(page.derived_relation(second), page.derived_relation("46b"));
 }
 

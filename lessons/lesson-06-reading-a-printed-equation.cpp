@@ -5,7 +5,13 @@
 // Sample run:  lesson-06-reading-a-printed-equation --step 3
 #include <lessons/rocking_block/lesson.hpp>
 
-using namespace rederive;
+using namespace rederive::language;
+using namespace rederive::numbers;
+using namespace rederive::decide;
+using namespace rederive::paper;
+using namespace rederive::rocking_block;
+using namespace rederive::illustrations;
+using namespace rederive::page;
 
 namespace {
 

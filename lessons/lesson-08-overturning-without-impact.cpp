@@ -5,7 +5,11 @@
 // Sample run:  lesson-08-overturning-without-impact --step 3
 #include <lessons/rocking_block/lesson.hpp>
 
-using namespace rederive;
+using namespace rederive::decide;
+using namespace rederive::paper;
+using namespace rederive::rocking_block;
+using namespace rederive::illustrations;
+using namespace rederive::page;
 
 namespace {
 
@@ -84,8 +88,8 @@ void two_brackets(Page& page) {
   for (Experiment experiment : {slow, fast}) {
     experiment.nonlinear = true;
     const double amplitude = simulated_without_impact(experiment);
-    const double factor =
-        page.number_of(rocking_block::alpha / tan(rocking_block::alpha), {{"alpha", "0.25"}});
+    const double factor = page.number_of(rederive::rocking_block::alpha / tan(rederive::rocking_block::alpha),
+                                         {{"alpha", "0.25"}});
     rows.push_back({fmt::format("{:.0f}", experiment.omega), fmt::format("{:.5f}", amplitude),
                     fmt::format("{:.5f}", amplitude * factor)});
   }
@@ -108,7 +112,7 @@ void a_false_root(Page& page) {
   std::vector<std::vector<std::string>> rows;
   for (const double omega : {2.0, 4.0})
     for (const auto& root : condition_roots({.omega = omega}))
-      if (root.form == numerics::Form::eq71 || root.form == numerics::Form::eq78)
+      if (root.form == rederive::numerics::Form::eq71 || root.form == rederive::numerics::Form::eq78)
         rows.push_back({fmt::format("{:.0f}", omega), conditions_of(root),
                         fmt::format("{:.5f}", root.amplitude), is_real(root)});
   page.table({"$omega_p/p$", "condition", "$a_p/(alpha*g)$", "does the block move so? If not, why"}, rows);

@@ -5,7 +5,11 @@
 // Sample run:  lesson-09-overturning-after-one-impact --step 4
 #include <lessons/rocking_block/lesson.hpp>
 
-using namespace rederive;
+using namespace rederive::decide;
+using namespace rederive::paper;
+using namespace rederive::rocking_block;
+using namespace rederive::illustrations;
+using namespace rederive::page;
 
 namespace {
 
@@ -104,7 +108,8 @@ void a_number_that_cannot_be(Page& page) {
   Experiment theirs{.omega = 3, .nonlinear = true, .restitution = 0.9};
   const double amplitude = least_overturning(theirs, 2).from;
   const double in_tangents =
-      amplitude * page.number_of(rocking_block::alpha / tan(rocking_block::alpha), {{"alpha", "0.25"}});
+      amplitude * page.number_of(rederive::rocking_block::alpha / tan(rederive::rocking_block::alpha),
+                                 {{"alpha", "0.25"}});
   page.say(fmt::format(R"(
     Where does the number come from? Lesson 8 taught us to vary what might have been meant. Take the
     nonlinear model, $e$ = 0.9 and the unit $g*tan(alpha)$: the threshold is {:.5f}, and its reciprocal is

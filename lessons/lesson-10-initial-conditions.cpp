@@ -5,7 +5,12 @@
 // Sample run:  lesson-10-initial-conditions --step 3
 #include <lessons/rocking_block/lesson.hpp>
 
-using namespace rederive;
+using namespace rederive::language;
+using namespace rederive::numbers;
+using namespace rederive::paper;
+using namespace rederive::rocking_block;
+using namespace rederive::illustrations;
+using namespace rederive::page;
 
 namespace {
 
@@ -62,7 +67,7 @@ void sine_again(Page& page) {
   page.compare(special, page.derived_relation("71"));
 }
 
-std::vector<std::pair<double, double>> amplitudes(const Experiment& base, numerics::Form form) {
+std::vector<std::pair<double, double>> amplitudes(const Experiment& base, rederive::numerics::Form form) {
   std::vector<std::pair<double, double>> curve;
   for (int i = 2; i <= 16; ++i) {
     Experiment experiment = base;
@@ -77,10 +82,10 @@ std::vector<std::pair<double, double>> amplitudes(const Experiment& base, numeri
 }
 
 void in_numbers(Page& page) {
-  const auto at_rest = amplitudes({}, numerics::Form::eq71);
-  const auto helped = amplitudes({.theta_0 = -0.01, .thetadot_0 = -0.1}, numerics::Form::eq104);
+  const auto at_rest = amplitudes({}, rederive::numerics::Form::eq71);
+  const auto helped = amplitudes({.theta_0 = -0.01, .thetadot_0 = -0.1}, rederive::numerics::Form::eq104);
   const auto hindered =
-      amplitudes({.cosine = true, .theta_0 = 0.01, .thetadot_0 = 0.1}, numerics::Form::eq103);
+      amplitudes({.cosine = true, .theta_0 = 0.01, .thetadot_0 = 0.1}, rederive::numerics::Form::eq103);
   std::vector<StyledCurve> curves{{at_rest, "sine, from rest", "with lines ls 1"}};
   if (!helped.empty()) curves.push_back({helped, "sine, pushed to the left", "with lines ls 2"});
   if (!hindered.empty()) curves.push_back({hindered, "cosine, pushed to the right", "with lines ls 3"});
@@ -95,8 +100,8 @@ void in_numbers(Page& page) {
          {Experiment{.omega = omega}, Experiment{.omega = omega, .theta_0 = -0.01, .thetadot_0 = -0.1},
           Experiment{.omega = omega, .cosine = true, .theta_0 = 0.01, .thetadot_0 = 0.1}})
       for (const auto& root : condition_roots(experiment))
-        if (root.form == numerics::Form::eq71 || root.form == numerics::Form::eq103 ||
-            root.form == numerics::Form::eq104)
+        if (root.form == rederive::numerics::Form::eq71 || root.form == rederive::numerics::Form::eq103 ||
+            root.form == rederive::numerics::Form::eq104)
           rows.push_back({fmt::format("{:.0f}", omega), conditions_of(root),
                           fmt::format("{:+.2f}", experiment.theta_0),
                           fmt::format("{:+.1f}", experiment.thetadot_0),

@@ -6,7 +6,12 @@
 #include <lessons/rocking_block/lesson.hpp>
 #include <numerics/records/code_spectrum.hpp>
 
-using namespace rederive;
+using namespace rederive::numbers;
+using namespace rederive::decide;
+using namespace rederive::paper;
+using namespace rederive::rocking_block;
+using namespace rederive::illustrations;
+using namespace rederive::page;
 
 namespace {
 
@@ -14,14 +19,15 @@ void back_to_seconds(Page& page) {
   page.say(R"(
     The last pages of the paper leave the dimensionless world. A block with $p = 2.14$ 1/s and $alpha =
     0.25$: which size is that? Turn (28) round.)");
-  const double radius =
-      page.number_of(page.derived("28b").right * rocking_block::R / pow(rocking_block::p, 2),
-                     {{"g", "9.81"}, {"p", "2.14"}});
-  page.say(fmt::format(R"(
+  const double radius = page.number_of(
+      page.derived("28b").right * rederive::rocking_block::R / pow(rederive::rocking_block::p, 2),
+      {{"g", "9.81"}, {"p", "2.14"}});
+  page.say(fmt::format(
+      R"(
     $R$ is {:.2f} m, so the block is {:.2f} m high and {:.2f} m wide: a tall cupboard, not a temple. A
     figure that comes without its size invites us to think of our own monument; work out the size first.)",
-                       radius, 2 * radius * page.number_of(cos(rocking_block::alpha), {{"alpha", "0.25"}}),
-                       2 * radius * page.number_of(sin(rocking_block::alpha), {{"alpha", "0.25"}})));
+      radius, 2 * radius * page.number_of(cos(rederive::rocking_block::alpha), {{"alpha", "0.25"}}),
+      2 * radius * page.number_of(sin(rederive::rocking_block::alpha), {{"alpha", "0.25"}})));
   page.say("The length of the pulse in seconds follows from (52), divided by $p$:");
   const double slow = pulse_length(1, 1) / 2.14, fast = pulse_length(4, 2) / 2.14;
   page.table({"$omega_p/p$", "$a_p/(alpha*g)$", "length of the pulse, computed", "printed"},
@@ -81,7 +87,8 @@ void not_the_same_thing(Page& page) {
   for (const double amplitude : {2.0, 1.0}) {
     const double seconds = pulse_length(amplitude == 1 ? 1 : 4, amplitude) / 2.14;
     const auto code = [&](char ground, double damping) {  // in units of a_g
-      return numerics::elastic_response(numerics::ground_type(ground), 1, damping, seconds);
+      return rederive::numerics::elastic_response(rederive::numerics::ground_type(ground), 1, damping,
+                                                  seconds);
     };
     rows.push_back({fmt::format("{:.2f} s", seconds), fmt::format("{:.2f}", code('A', 5)),
                     fmt::format("{:.2f}", code('B', 5)), fmt::format("{:.2f}", code('A', 3))});

@@ -10,7 +10,13 @@
 #include <derivations/rocking_block/symbols.hpp>
 #include <nlohmann/json.hpp>
 
-namespace rederive {
+namespace rederive::test {
+using namespace language;
+using namespace decide;
+using namespace mechanics;
+using namespace emit;
+using namespace paper;
+using namespace kernel;
 
 inline const Symbols& paper_symbols() { return rocking_block::paper().symbols; }
 inline Tree parse(std::string_view text) { return parse(text, paper_symbols()); }
@@ -83,4 +89,4 @@ inline void write_scripts(const std::filesystem::path& folder, const std::vector
   write_scripts(rocking_block::paper(), folder, lemmas, more);
 }
 
-}  // namespace rederive
+}  // namespace rederive::test

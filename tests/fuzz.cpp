@@ -38,12 +38,13 @@ void make_seeds() {
   fs::remove_all(build / "seeds");
   fs::create_directories(build / "seeds");
   fs::copy(source / "seeds", build / "seeds", fs::copy_options::recursive);
-  const auto rows = rederive::rows_of(rederive::rocking_block::paper());
+  const auto rows = rederive::paper::rows_of(rederive::rocking_block::paper());
   for (std::size_t i = 0; i < rows.size(); i += 6) seed("syntax", rows[i].claim());
-  seed_tables("equations", rederive::equations_file(rederive::rocking_block::paper()), "[[equation]]", 10);
+  seed_tables("equations", rederive::paper::equations_file(rederive::rocking_block::paper()), "[[equation]]",
+              10);
   for (const auto& file : fs::directory_iterator(rederive::classroom::exercises_folder()))
     seed_tables("exercises", file.path(), "[[exercise]]", 2);
-  const auto table = rederive::read_table(source.parent_path() / "prove_table.toml");
+  const auto table = rederive::ledger::read_table(source.parent_path() / "prove_table.toml");
   for (std::size_t i = 0; i < table.size(); i += 100) {
     std::string text = table[i].request.left + "\n" + table[i].request.right;
     for (const auto& assumption : table[i].request.assumptions) text += "\n" + assumption;

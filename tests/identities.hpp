@@ -10,7 +10,10 @@
 #include <utility>
 #include <vector>
 
-namespace rederive {
+namespace rederive::test {
+using namespace language;
+using namespace decide;
+using namespace paper;
 
 /// An expression with what is given put in for the names, also in what was put in.
 inline GiNaC::ex put_in(GiNaC::ex e, const std::vector<Given>& given) {
@@ -24,7 +27,7 @@ inline const Derivation& derived(const std::string& id) { return rocking_block::
 
 /// Whether two expressions are proved to be the same.
 inline bool identical(const GiNaC::ex& a, const GiNaC::ex& b) {
-  return decide({{to_tree(a)}, {}}, {{to_tree(b)}, {}}, paper_symbols()).verdict == Verdict::proved;
+  return decide::decide({{to_tree(a)}, {}}, {{to_tree(b)}, {}}, paper_symbols()).verdict == Verdict::proved;
 }
 
 /// The value of an expression with numbers for its symbols.
@@ -45,4 +48,4 @@ inline double root(const std::function<double(double)>& f, double low, double hi
   return (low + high) / 2;
 }
 
-}  // namespace rederive
+}  // namespace rederive::test

@@ -10,7 +10,8 @@
 #include <string>
 #include <vector>
 
-namespace rederive {
+namespace rederive::test {
+using namespace language;
 
 class Choices {
  public:
@@ -81,4 +82,4 @@ class RandomTrees {
   std::vector<std::string> names_, functions_, numbers_{"1", "2", "3", "10", "0.25", "1e-3", "17"};
 };
 
-}  // namespace rederive
+}  // namespace rederive::test

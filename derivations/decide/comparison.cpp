@@ -3,7 +3,11 @@
 #include <algorithm>
 #include <derivations/decide/comparison.hpp>
 
-namespace rederive {
+namespace rederive::decide {
+using namespace language;
+using namespace numbers;
+using namespace identity;
+using namespace sign;
 
 namespace {
 
@@ -279,4 +283,4 @@ bool hides_a_solution(const Comparison& setting) {
   return hidden(setting.left, setting.right) || hidden(setting.right, setting.left);
 }
 
-}  // namespace rederive
+}  // namespace rederive::decide

@@ -6,27 +6,27 @@
 #include <derivations/language/print.hpp>
 #include <derivations/sign/certificate.hpp>
 
-namespace rederive {
+namespace rederive::decide {
 
 /// A statement in the ring: all atoms hold. For two expressions, `left` has none and `right` their equation.
 struct Translated {
-  std::vector<Atom> atoms;
-  std::vector<Atom> conditions;  ///< under which its sides have values
+  std::vector<identity::Atom> atoms;
+  std::vector<identity::Atom> conditions;  ///< under which its sides have values
 };
 
 struct Comparison {
-  explicit Comparison(const Symbols& names) : symbols(names), translator(ring, names) {}
+  explicit Comparison(const language::Symbols& names) : symbols(names), translator(ring, names) {}
   Comparison(const Comparison&) = delete;
-  std::string text_of(const Fraction& value) const {  ///< in our syntax
-    return print(ring.meaning_of(value), Notation::plain, symbols);
+  std::string text_of(const identity::Fraction& value) const {  ///< in our syntax
+    return language::print(ring.meaning_of(value), language::Notation::plain, symbols);
   }
 
-  const Symbols& symbols;
-  Ring ring;  ///< its facts: the assumptions, and the conditions for values
-  Translator translator;
+  const language::Symbols& symbols;
+  identity::Ring ring;  ///< its facts: the assumptions, and the conditions for values
+  identity::Translator translator;
   Translated left, right;
-  std::vector<Atom> conditions;           ///< not implied by ranges and assumptions
-  std::vector<Relation> side_conditions;  ///< the same: x - 1 > 0, cos(theta) != 0
+  std::vector<identity::Atom> conditions;           ///< not implied by ranges and assumptions
+  std::vector<language::Relation> side_conditions;  ///< the same: x - 1 > 0, cos(theta) != 0
 };
 
 /// Translates both statements into the ring, which must be empty. Then learns the conditions for their
@@ -35,13 +35,13 @@ void translate(Comparison& setting, const Problem& problem);
 
 /// Returns equivalent forms of a translated statement, to be tried in turn: the statement; with f(u) = v
 /// solved for u, f monotone; for an equation, other values that are 0 at the same points (translator.hpp).
-std::vector<std::vector<Atom>> readings_of(Comparison& setting, const Relation& statement,
-                                           const Translated& translated);
+std::vector<std::vector<identity::Atom>> readings_of(Comparison& setting, const language::Relation& statement,
+                                                     const Translated& translated);
 
 struct Sameness {
-  std::string by;                             ///< "identity" or "sign"
-  std::optional<Fraction> factor = {};        ///< for two relations, left = factor * right
-  std::vector<std::string> certificate = {};  ///< as in proof.hpp
+  std::string by;                                 ///< "identity" or "sign"
+  std::optional<identity::Fraction> factor = {};  ///< for two relations, left = factor * right
+  std::vector<std::string> certificate = {};      ///< as in proof.hpp
   /// Adds what a part rests on.
   void rest_on(const Sameness& part) {
     if (part.by == "sign") by = part.by;
@@ -59,7 +59,7 @@ bool hides_a_solution(const Comparison& setting);
 
 /// Returns the conditions as relations, x - 1 > 0 or cos(theta) != 0, each once and without factors of known
 /// sign; x >= 0 and x != 0 become x > 0.
-std::vector<Relation> relations_of(const std::vector<Atom>& conditions, const Ring& ring,
-                                   const Symbols& symbols);
+std::vector<language::Relation> relations_of(const std::vector<identity::Atom>& conditions,
+                                             const identity::Ring& ring, const language::Symbols& symbols);
 
-}  // namespace rederive
+}  // namespace rederive::decide

@@ -5,7 +5,11 @@
 #include <derivations/decide/decide.hpp>
 #include <derivations/decide/points.hpp>
 
-namespace rederive {
+namespace rederive::decide {
+using namespace language;
+using namespace numbers;
+using namespace identity;
+using namespace sign;
 
 std::string to_string(Verdict verdict) {
   constexpr const char* words[] = {"proved",     "proved_under", "approximation", "refuted",
@@ -162,4 +166,4 @@ bool contradict(const std::vector<Relation>& assumptions, const Symbols& symbols
   return is_contradictory(with_values({{{zero()}, {}}, {{zero()}, {}}, assumptions, symbols}, {}));
 }
 
-}  // namespace rederive
+}  // namespace rederive::decide

@@ -6,7 +6,10 @@
 #include <functional>
 #include <numeric>
 
-namespace rederive {
+namespace rederive::decide {
+using namespace language;
+using namespace numbers;
+using namespace identity;
 
 namespace {
 
@@ -114,4 +117,4 @@ std::vector<Relation> relations_of(const std::vector<Atom>& conditions, const Ri
   return relations;
 }
 
-}  // namespace rederive
+}  // namespace rederive::decide

@@ -6,7 +6,11 @@
 #include <derivations/language/lower.hpp>
 #include <derivations/language/print.hpp>
 
-namespace rederive {
+namespace rederive::decide {
+using namespace language;
+using namespace numbers;
+using namespace identity;
+using namespace sign;
 
 using GiNaC::ex;
 
@@ -282,4 +286,4 @@ Proof decide_to_order(const Relation& left, const Relation& right, const std::ve
   return proof;
 }
 
-}  // namespace rederive
+}  // namespace rederive::decide

@@ -3,7 +3,10 @@
 #include <derivations/identity/polynomial.hpp>
 #include <derivations/numbers/interval.hpp>
 
-namespace rederive {
+namespace rederive::decide {
+using namespace language;
+using namespace numbers;
+using namespace identity;
 
 using cln::cl_RA;
 
@@ -248,4 +251,4 @@ Search search(const Problem& problem, const Effort& effort) {
   return result;
 }
 
-}  // namespace rederive
+}  // namespace rederive::decide

@@ -5,7 +5,10 @@
 #include <derivations/language/print.hpp>
 #include <functional>
 
-namespace rederive {
+namespace rederive::decide {
+using namespace language;
+using namespace numbers;
+using namespace identity;
 
 bool is_symbol(const Tree& tree) { return tree->kind == Node::Kind::symbol && tree->text != "pi"; }
 
@@ -154,4 +157,4 @@ Problem with_values(Problem problem, const std::vector<Given>& given) {
   return problem;
 }
 
-}  // namespace rederive
+}  // namespace rederive::decide

@@ -7,42 +7,43 @@
 #include <derivations/numbers/interval.hpp>
 #include <set>
 
-namespace rederive {
+namespace rederive::decide {
 
 struct Problem {
-  Relation left, right;               ///< expressions have one side and no operator
-  std::vector<Relation> assumptions;  ///< sign conditions and equations, with two sides each
-  Symbols symbols;
-  std::map<std::string, Tree> values = {};  ///< symbol → what was put in for it, in other symbols
+  language::Relation left, right;               ///< expressions have one side and no operator
+  std::vector<language::Relation> assumptions;  ///< sign conditions and equations, with two sides each
+  language::Symbols symbols;
+  std::map<std::string, language::Tree> values = {};  ///< symbol → what was put in for it, in other symbols
 };
 
-bool is_symbol(const Tree& tree);                       ///< pi is not a symbol
-bool is_equation(const Relation& r);                    ///< a = b = …
-std::vector<Relation> links_of(const Relation& chain);  ///< of a = b < c: a = b and b < c
-std::vector<Relation> equations_of(std::vector<Relation> relations);
+bool is_symbol(const language::Tree& tree);                                 ///< pi is not a symbol
+bool is_equation(const language::Relation& r);                              ///< a = b = …
+std::vector<language::Relation> links_of(const language::Relation& chain);  ///< of a = b < c: a = b and b < c
+std::vector<language::Relation> equations_of(std::vector<language::Relation> relations);
 /// Returns all trees of a problem.
-std::vector<Tree> trees_of(const Problem& problem);
+std::vector<language::Tree> trees_of(const Problem& problem);
 
 /// Return the names of the symbols that occur.
-std::set<std::string> names_of(const Tree& tree);
-std::set<std::string> names_of(const Relation& relation);
+std::set<std::string> names_of(const language::Tree& tree);
+std::set<std::string> names_of(const language::Relation& relation);
 
 /// Returns the relation with `value` in place of a symbol.
-Relation put_in(Relation relation, const std::string& symbol, const Tree& value);
+language::Relation put_in(language::Relation relation, const std::string& symbol,
+                          const language::Tree& value);
 
 /// Return a + b*pi as a tree and as a coordinate.
-Tree tree_of(const Constant& c);
-Number number_of(const Constant& c);
-Tree zero();
+language::Tree tree_of(const numbers::Constant& c);
+numbers::Number number_of(const numbers::Constant& c);
+language::Tree zero();
 /// Returns a - b.
-Tree difference(const Tree& a, const Tree& b);
+language::Tree difference(const language::Tree& a, const language::Tree& b);
 
 /// Substitutes given values, and symbols that an assumed equation determines. The range of such a symbol, and
 /// other assumptions about it, remain as sign conditions on its value.
-Problem with_values(Problem problem, const std::vector<Given>& given);
+Problem with_values(Problem problem, const std::vector<language::Given>& given);
 
 /// Returns f(u) = v as u = g(v), if g inverts the monotone f and v is among the values of f: x = asin(u) says
 /// sin(x) = u for -pi/2 <= x <= pi/2. Likewise for inequalities; f(u) = f(v) becomes u = v, u^2 = 0 u = 0.
-Relation with_inversions(const Relation& relation, const Symbols& symbols);
+language::Relation with_inversions(const language::Relation& relation, const language::Symbols& symbols);
 
-}  // namespace rederive
+}  // namespace rederive::decide

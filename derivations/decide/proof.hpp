@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-namespace rederive {
+namespace rederive::decide {
 
 /// `approximation` comes from `decide_to_order`; `definition` and `error` come from the ledger.
 enum class Verdict { proved, proved_under, approximation, refuted, definition, undecided, error };
@@ -28,13 +28,13 @@ struct Witness {
 struct Proof {
   Verdict verdict = Verdict::undecided;
   std::string factor = {};  ///< left = factor * right, for relations; empty if there is none
-  std::vector<Relation> side_conditions = {};  ///< w != 0
-  std::optional<Witness> witness = {};         ///< if refuted, and only then
-  std::string reason = {};                     ///< one line for a reader; says why, if undecided
+  std::vector<language::Relation> side_conditions = {};  ///< w != 0
+  std::optional<Witness> witness = {};                   ///< if refuted, and only then
+  std::string reason = {};                               ///< one line for a reader; says why, if undecided
   std::string by = {};  ///< "identity", "sign", "points", "expansion"; empty if undecided
   /// For "sign", identities such as "2*(x)*(y - 1) + 1*(z) = 0" in which no product would be negative and one
   /// positive if the claim were false; "… where u >= 0" limits the case. Empty if ranges alone suffice.
   std::vector<std::string> certificate = {};
 };
 
-}  // namespace rederive
+}  // namespace rederive::decide

@@ -5,7 +5,9 @@
 #include <derivations/numbers/interval.hpp>
 #include <functional>
 
-namespace rederive {
+namespace rederive::decide {
+using namespace language;
+using namespace numbers;
 
 using cln::cl_RA;
 
@@ -181,4 +183,4 @@ std::optional<Point> solve(const std::vector<Relation>& equations, Point point, 
   return point;
 }
 
-}  // namespace rederive
+}  // namespace rederive::decide

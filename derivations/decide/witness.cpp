@@ -7,7 +7,9 @@
 #include <derivations/language/print.hpp>
 #include <derivations/numbers/interval.hpp>
 
-namespace rederive {
+namespace rederive::decide {
+using namespace language;
+using namespace numbers;
 
 using cln::cl_RA;
 
@@ -96,4 +98,4 @@ std::optional<Witness> make_witness(const Problem& problem, const Point& point, 
   return witness;
 }
 
-}  // namespace rederive
+}  // namespace rederive::decide

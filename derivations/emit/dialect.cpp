@@ -3,7 +3,8 @@
 #include <derivations/language/functions.hpp>
 #include <stdexcept>
 
-namespace rederive {
+namespace rederive::emit {
+using namespace language;
 
 namespace {
 
@@ -208,4 +209,4 @@ std::string wrapped(const std::string& line, const std::string& indent, const st
   return text + rest;
 }
 
-}  // namespace rederive
+}  // namespace rederive::emit

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-namespace rederive {
+namespace rederive::emit {
 
 enum class Target { c, cpp, javascript, latex, python };
 
@@ -53,4 +53,4 @@ const Dialect& dialect(Target target);
 /// `indent` begins each further line.
 std::string wrapped(const std::string& line, const std::string& indent, const std::string& separator = " ");
 
-}  // namespace rederive
+}  // namespace rederive::emit

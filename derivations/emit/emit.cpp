@@ -8,7 +8,10 @@
 #include <set>
 #include <stdexcept>
 
-namespace rederive {
+namespace rederive::emit {
+using namespace language;
+using namespace mechanics;
+using namespace program;
 
 namespace {
 
@@ -189,4 +192,4 @@ Emission chosen_from(Emission all, const std::vector<std::string>& names, Target
   return all;
 }
 
-}  // namespace rederive
+}  // namespace rederive::emit

@@ -7,22 +7,24 @@
 #include <string>
 #include <vector>
 
-namespace rederive {
+namespace rederive::emit {
 
 /// One numeric function that is written as code.
 struct EmittedFunction {
-  std::string name;                           ///< "angular_acceleration_negative"
-  std::vector<SymbolExpression> arguments;    ///< in order; the emission's symbols say units and ranges
-  GiNaC::ex value;                            ///< in the arguments alone
-  std::vector<SymbolExpression> derivatives;  ///< name_with_derivatives also returns d_psi … for these
-  std::string equation;                       ///< the ledger row it stands for: "21a"
-  std::string brief;                          ///< one line of documentation
+  std::string name;  ///< "angular_acceleration_negative"
+  std::vector<language::SymbolExpression>
+      arguments;    ///< in order; the emission's symbols say units and ranges
+  GiNaC::ex value;  ///< in the arguments alone
+  std::vector<language::SymbolExpression>
+      derivatives;       ///< name_with_derivatives also returns d_psi … for these
+  std::string equation;  ///< the ledger row it stands for: "21a"
+  std::string brief;     ///< one line of documentation
 };
 
 /// The functions and steppers of a paper, and their symbols: those of the paper, and those that only numeric
 /// functions have, such as the ratio omega_p/p.
 struct Emission {
-  Symbols symbols;
+  language::Symbols symbols;
   std::vector<EmittedFunction> functions;
   std::vector<TaylorStepper> steppers = {};
 };
@@ -47,10 +49,10 @@ struct Provenance {
   std::string hash;  ///< of the equation's id and the printed expression: FNV-1a, 64 bits
 };
 /// Returns it for a function. Throws std::invalid_argument as `emit` does.
-Provenance provenance(const EmittedFunction& function, const Symbols& symbols);
+Provenance provenance(const EmittedFunction& function, const language::Symbols& symbols);
 /// Returns the hash of a text as 16 hexadecimal digits: FNV-1a, 64 bits.
 std::string hash_of(const std::string& text);
 /// Returns what is declared about a symbol: "alpha: angle of the diagonal …, atan(b/h); 1, (0, pi/2)".
-std::string line_about(const Symbol& symbol);
+std::string line_about(const language::Symbol& symbol);
 
-}  // namespace rederive
+}  // namespace rederive::emit

@@ -2,7 +2,8 @@
 #include <derivations/emit/operations.hpp>
 #include <stdexcept>
 
-namespace rederive {
+namespace rederive::emit {
+using namespace language;
 
 namespace {
 
@@ -159,4 +160,4 @@ std::string Infix::text(std::size_t index, int place) const {
   return dialect_.call(operation.text, arguments);
 }
 
-}  // namespace rederive
+}  // namespace rederive::emit

@@ -8,7 +8,7 @@
 #include <tuple>
 #include <vector>
 
-namespace rederive {
+namespace rederive::emit {
 
 /// One step of a computation. Operands are indices of earlier operations.
 struct Operation {
@@ -24,7 +24,7 @@ struct Operation {
 /// The operations that some expressions need, each before its first use. Integer powers are multiplications.
 class Operations {
  public:
-  explicit Operations(const std::vector<Tree>& trees);
+  explicit Operations(const std::vector<language::Tree>& trees);
 
   const std::vector<Operation>& all() const { return operations_; }
   const std::vector<std::size_t>& results() const { return results_; }  ///< one for each tree
@@ -34,10 +34,10 @@ class Operations {
   std::size_t count_unshared() const;  ///< the same if everything were computed where it is used
 
  private:
-  std::size_t add(const Node& node);
-  std::size_t add_sum(const Node& node);
-  std::size_t add_product(const Node& node);
-  std::size_t add_power(const Node& node);
+  std::size_t add(const language::Node& node);
+  std::size_t add_sum(const language::Node& node);
+  std::size_t add_product(const language::Node& node);
+  std::size_t add_power(const language::Node& node);
   std::size_t whole_power(std::size_t base, long exponent);
   std::size_t one_of(Operation::Kind kind, const std::string& text, std::vector<std::size_t> operands);
 
@@ -65,4 +65,4 @@ class Infix {
   std::vector<std::pair<std::string, std::string>> shared_;
 };
 
-}  // namespace rederive
+}  // namespace rederive::emit

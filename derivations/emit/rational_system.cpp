@@ -8,7 +8,9 @@
 #include <map>
 #include <stdexcept>
 
-namespace rederive {
+namespace rederive::emit {
+using namespace language;
+using namespace mechanics;
 
 namespace {
 
@@ -135,4 +137,4 @@ RationalSystem rational_system(const TaylorStepper& stepper, const Symbols& symb
   return Extension(stepper, symbols).result();
 }
 
-}  // namespace rederive
+}  // namespace rederive::emit

@@ -3,7 +3,8 @@
 #include <set>
 #include <stdexcept>
 
-namespace rederive {
+namespace rederive::emit {
+using namespace language;
 
 namespace {
 
@@ -138,4 +139,4 @@ Recurrences recurrences(const RationalSystem& system) {
   return std::move(writer.result);
 }
 
-}  // namespace rederive
+}  // namespace rederive::emit

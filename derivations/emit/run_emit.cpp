@@ -5,7 +5,9 @@
 #include <derivations/program/command_line.hpp>
 #include <nlohmann/json.hpp>
 
-namespace rederive {
+namespace rederive::emit {
+using namespace language;
+using namespace program;
 
 namespace {
 
@@ -123,4 +125,4 @@ int run_emit(const std::function<Emission()>& emission, int argc, char** argv) {
   return run_command(app, argc, argv, [&] { return run(options, emission); });
 }
 
-}  // namespace rederive
+}  // namespace rederive::emit

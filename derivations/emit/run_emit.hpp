@@ -4,10 +4,10 @@
 #include <derivations/emit/emit.hpp>
 #include <functional>
 
-namespace rederive {
+namespace rederive::emit {
 
 /// Runs the command line of `emit` for the functions that `emission` returns; it is called when they are
 /// needed. Returns the exit code.
 int run_emit(const std::function<Emission()>& emission, int argc, char** argv);
 
-}  // namespace rederive
+}  // namespace rederive::emit

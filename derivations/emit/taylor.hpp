@@ -9,20 +9,20 @@
 #include <string>
 #include <vector>
 
-namespace rederive {
+namespace rederive::emit {
 
 /// The system dx/dt = f(x, t), where f has rational operations, sin, cos, sinh, cosh, exp, and any constants.
 struct TaylorStepper {
-  std::string name;                          ///< "rocking_in_pulse_negative"
-  std::vector<SymbolExpression> parameters;  ///< constant in time
-  Rates rates;                               ///< the state, in order, each with its rate
-  std::string equation;                      ///< the ledger row it stands for: "21a"
-  std::string brief;                         ///< one line of documentation
-  SymbolExpression time;                     ///< the independent variable t
+  std::string name;                                    ///< "rocking_in_pulse_negative"
+  std::vector<language::SymbolExpression> parameters;  ///< constant in time
+  mechanics::Rates rates;                              ///< the state, in order, each with its rate
+  std::string equation;                                ///< the ledger row it stands for: "21a"
+  std::string brief;                                   ///< one line of documentation
+  language::SymbolExpression time;                     ///< the independent variable t
 };
 
 /// Returns the name of a symbol: "psi".
-inline std::string name_of(const SymbolExpression& symbol) {
+inline std::string name_of(const language::SymbolExpression& symbol) {
   return GiNaC::ex_to<GiNaC::symbol>(symbol).get_name();
 }
 
@@ -31,24 +31,26 @@ inline std::string name_of(const SymbolExpression& symbol) {
 /// and (exp A)' = exp(A) A'.
 struct RationalSystem {
   struct Function {
-    std::string name;        ///< "sin_1"
-    std::string function;    ///< "sin"
-    Tree argument;           ///< rational in the state and the functions before it
-    std::string derivative;  ///< by the argument: sign times "cos_1"
+    std::string name;         ///< "sin_1"
+    std::string function;     ///< "sin"
+    language::Tree argument;  ///< rational in the state and the functions before it
+    std::string derivative;   ///< by the argument: sign times "cos_1"
     int sign;
   };
-  Symbols symbols;  ///< parameters, state, functions: the printing order
+  language::Symbols symbols;  ///< parameters, state, functions: the printing order
   std::vector<Function> functions;
-  Rates rates;  ///< of the state, of the time if f depends on it, of the functions
+  mechanics::Rates rates;  ///< of the state, of the time if f depends on it, of the functions
 };
 
 /// Returns the rational system of a stepper. Throws std::invalid_argument, with the name of the stepper, if a
 /// rate has a symbol that is neither a parameter nor part of the state nor the time, if it does not have the
 /// dimension of its state per second, or if a function of the state is not one of those above.
-RationalSystem rational_system(const TaylorStepper& stepper, const Symbols& symbols);
+RationalSystem rational_system(const TaylorStepper& stepper, const language::Symbols& symbols);
 
 /// Returns a tree that is a symbol, or any other text of the target.
-inline Tree leaf(const std::string& text) { return make_tree(Node::Kind::symbol, text); }
+inline language::Tree leaf(const std::string& text) {
+  return language::make_tree(language::Node::Kind::symbol, text);
+}
 
 /// The formulas for coefficient k + 1 of all series from the coefficients 0 to k. The symbols in the trees
 /// are text of the target: "theta[k]", product(a, b, k) for a product of series, and quotient(a[k], b, c, k)
@@ -56,12 +58,12 @@ inline Tree leaf(const std::string& text) { return make_tree(Node::Kind::symbol,
 struct Recurrences {
   struct Line {
     std::string name;
-    Tree value;
+    language::Tree value;
     bool is_kept;  ///< whether it is stored as a series, for later k
   };
   std::vector<Line> constants, lines;
-  std::vector<std::pair<std::string, Tree>> rates;  ///< coefficient k of the rate of each series
-  bool uses_first = false;                          ///< whether `first` occurs
+  std::vector<std::pair<std::string, language::Tree>> rates;  ///< coefficient k of the rate of each series
+  bool uses_first = false;                                    ///< whether `first` occurs
 };
 /// Returns the recurrences of a system. Throws std::invalid_argument for a power of the state that is not
 /// whole.
@@ -69,6 +71,7 @@ Recurrences recurrences(const RationalSystem& system);
 
 /// Returns the steppers as classes, after the functions that they share. Throws std::invalid_argument if
 /// there are steppers and the target is neither C++ nor JavaScript.
-std::string taylor_text(const std::vector<TaylorStepper>& steppers, const Symbols& symbols, Target target);
+std::string taylor_text(const std::vector<TaylorStepper>& steppers, const language::Symbols& symbols,
+                        Target target);
 
-}  // namespace rederive
+}  // namespace rederive::emit

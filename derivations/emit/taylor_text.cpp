@@ -7,7 +7,8 @@
 #include <set>
 #include <stdexcept>
 
-namespace rederive {
+namespace rederive::emit {
+using namespace language;
 
 namespace {
 
@@ -271,4 +272,4 @@ std::string taylor_text(const std::vector<TaylorStepper>& steppers, const Symbol
   return text;
 }
 
-}  // namespace rederive
+}  // namespace rederive::emit

@@ -2,7 +2,9 @@
 #include <derivations/identity/exponential_ring.hpp>
 #include <derivations/language/functions.hpp>
 
-namespace rederive {
+namespace rederive::identity {
+using namespace language;
+using namespace numbers;
 
 Fraction Ring::function(const std::string& f, const Fraction& of, int degree, const Fraction& value) {
   return generator(f, of, [&] {
@@ -102,4 +104,4 @@ GiNaC::ex Ring::meaning_of(const Fraction& f, const std::vector<GiNaC::ex>& name
   return product(f.numerator) / product(f.denominator);
 }
 
-}  // namespace rederive
+}  // namespace rederive::identity

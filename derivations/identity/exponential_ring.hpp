@@ -9,12 +9,12 @@
 #include <map>
 #include <vector>
 
-namespace rederive {
+namespace rederive::identity {
 
 /// One generator of the ring, and its meaning.
 struct Generator {
   GiNaC::ex meaning;          ///< in the symbols of the statement
-  Interval range;             ///< the values that it takes
+  numbers::Interval range;    ///< the values that it takes
   std::string function = {};  ///< its name in our syntax; empty for symbols and pi; sqrt for every root
   Fraction of = 0;            ///< the argument: a phase, or the argument of a root, |…| or logarithm
   int degree = 0;             ///< generator^degree = value; 0 if there is no relation
@@ -24,8 +24,8 @@ struct Generator {
 };
 
 /// Return the signs of the numbers in an interval, and the interval of the numbers with given signs.
-Signs signs_of(const Interval& values);
-Interval values_of(Signs signs);
+Signs signs_of(const numbers::Interval& values);
+numbers::Interval values_of(Signs signs);
 
 /// A polynomial of the ring and its signs.
 struct Fact {
@@ -71,7 +71,7 @@ class Ring {
   /// that generator, of the generators that depend on it, and of those on which it depends.
   void learn(const Fraction& value, Signs signs);
 
-  Interval range_of(const Fraction& f) const;
+  numbers::Interval range_of(const Fraction& f) const;
   Signs signs_of(const Polynomial& p) const { return signs_of(p, 2); }
   Signs signs_of(const Fraction& f) const { return signs_of(f.numerator) * signs_of(f.denominator); }
 
@@ -81,13 +81,13 @@ class Ring {
 
  private:
   Fraction reduced(const Polynomial& p) const;
-  Interval range_of(const Polynomial& p) const;
+  numbers::Interval range_of(const Polynomial& p) const;
   Signs known_signs(const Polynomial& p) const;
   Signs signs_of(const Polynomial& p, int depth) const;
   Signs signs_anew(const Polynomial& p, int depth) const;
   Signs signs_of_irreducible(const Polynomial& p, int depth) const;
-  bool narrow(const Polynomial& p, const Interval& values);
-  bool narrow(int generator, const Interval& range);
+  bool narrow(const Polynomial& p, const numbers::Interval& values);
+  bool narrow(int generator, const numbers::Interval& range);
   bool narrow_backwards(const Generator& g);
   void propagate();
 
@@ -98,4 +98,4 @@ class Ring {
   mutable std::map<std::pair<Polynomial, int>, Signs> found_;
 };
 
-}  // namespace rederive
+}  // namespace rederive::identity

@@ -2,7 +2,9 @@
 // leaves a root or an absolute value, and a factor of known sign leaves a logarithm.
 #include <derivations/identity/translator.hpp>
 
-namespace rederive {
+namespace rederive::identity {
+using namespace language;
+using namespace numbers;
 
 /// Returns y >= 0 with y^order = base: a power of the generator that all roots of this base share.
 Fraction Translator::root_generator(const Polynomial& base, int order) {
@@ -12,7 +14,7 @@ Fraction Translator::root_generator(const Polynomial& base, int order) {
   const int common = common_multiple("root", base, order);
   const Fraction y = ring_.generator("root " + std::to_string(common), base, [&] {
     const GiNaC::ex meaning = pow(ring_.meaning_of(base), GiNaC::numeric(1, common));
-    const Interval range = rederive::power(ring_.range_of(Fraction(base)), cln::cl_RA(1) / common);
+    const Interval range = numbers::power(ring_.range_of(Fraction(base)), cln::cl_RA(1) / common);
     return Generator{meaning, range, "sqrt", base, common, base};
   });
   return power(y, common / order);
@@ -149,4 +151,4 @@ Fraction Translator::angle(bool is_sine, const Fraction& value) {
   return ring_.function(is_sine ? "asin" : "atan", u);
 }
 
-}  // namespace rederive
+}  // namespace rederive::identity

@@ -9,7 +9,8 @@
 #include <map>
 #include <tuple>
 
-namespace rederive {
+namespace rederive::identity {
+using namespace numbers;
 
 const fmpz_mpoly_ctx_struct* Polynomial::context() {
   struct Context {
@@ -208,4 +209,4 @@ std::vector<std::pair<cln::cl_RA, Fraction>> terms_of(const Fraction& f) {
   return result;
 }
 
-}  // namespace rederive
+}  // namespace rederive::identity

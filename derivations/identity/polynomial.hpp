@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-namespace rederive {
+namespace rederive::identity {
 
 /// The statement is outside the procedure, or too large; the message says why.
 struct Undecidable : std::runtime_error {
@@ -127,4 +127,4 @@ Polynomial chebyshev(int variable, int k);
 /// Returns the fraction as a sum of coefficient · term: (2·x·y + 3)/(y + 1) = 2·x - 2·x/(y + 1) + 3/(y + 1).
 std::vector<std::pair<cln::cl_RA, Fraction>> terms_of(const Fraction& f);
 
-}  // namespace rederive
+}  // namespace rederive::identity

@@ -1,7 +1,7 @@
 // The signs that a real number may have: a subset of {-, 0, +}.
 #pragma once
 
-namespace rederive {
+namespace rederive::identity {
 
 class Signs {
  public:
@@ -50,4 +50,4 @@ class Signs {
   unsigned bits_;
 };
 
-}  // namespace rederive
+}  // namespace rederive::identity

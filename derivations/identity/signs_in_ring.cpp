@@ -2,7 +2,9 @@
 #include <derivations/identity/exponential_ring.hpp>
 #include <derivations/language/functions.hpp>
 
-namespace rederive {
+namespace rederive::identity {
+using namespace language;
+using namespace numbers;
 
 Signs signs_of(const Interval& values) {
   if (values.is_positive()) return Signs::positive();
@@ -23,7 +25,7 @@ Fact Ring::essential(const Fraction& value, Signs signs) const {
   const Fraction f = normal(value);
   if (f.is_zero()) return {0, signs};
   const auto& [sign, list] = factors(signs == Signs::zero() ? f.numerator : f.numerator * f.denominator);
-  Signs outside = rederive::signs_of(point({sign}));
+  Signs outside = rederive::identity::signs_of(point({sign}));
   Polynomial rest = 1;
   for (const auto& [factor, exponent] : list) {
     const Signs known = power(signs_of(factor), exponent);
@@ -123,13 +125,13 @@ Interval Ring::range_of(const Fraction& f) const {
 }
 
 Signs Ring::signs_of(const Polynomial& p, int depth) const {
-  if (p.is_constant()) return rederive::signs_of(point({p.constant()}));
+  if (p.is_constant()) return rederive::identity::signs_of(point({p.constant()}));
   const auto [found, is_new] = found_.try_emplace({p, depth}, Signs::any());
   return is_new ? found->second = signs_anew(p, depth) : found->second;
 }
 
 Signs Ring::signs_anew(const Polynomial& p, int depth) const {
-  const Signs result = rederive::signs_of(range_of(p)) & known_signs(p);
+  const Signs result = rederive::identity::signs_of(range_of(p)) & known_signs(p);
   if (depth == 0 || result == Signs::positive() || result == Signs::negative() || result.is_none())
     return result;
   const auto& [sign, list] = factors(p.primitive());
@@ -149,7 +151,7 @@ Signs Ring::signs_of_irreducible(const Polynomial& p, int depth) const {
     auto c = p.coefficients(k);
     Signs sum = signs_of(c[0], depth);
     for (int n = 1; n < static_cast<int>(c.size()) && sum != Signs::any(); ++n)
-      sum = sum_of(sum, power(rederive::signs_of(generators_[k].range), n) * signs_of(c[n], depth));
+      sum = sum_of(sum, power(rederive::identity::signs_of(generators_[k].range), n) * signs_of(c[n], depth));
     result = result & sum;
     if (generators_[k].function == "sqrt" && generators_[k].degree == 2 && c.size() == 2) {
       const Fraction n = norm(p, k);
@@ -172,4 +174,4 @@ Signs Ring::signs_of_irreducible(const Polynomial& p, int depth) const {
   return result;
 }
 
-}  // namespace rederive
+}  // namespace rederive::identity

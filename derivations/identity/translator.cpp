@@ -5,7 +5,9 @@
 #include <map>
 #include <utility>
 
-namespace rederive {
+namespace rederive::identity {
+using namespace language;
+using namespace numbers;
 
 using cln::cl_RA;
 
@@ -228,8 +230,8 @@ Pair Translator::circular(const Fraction& argument) {
   }
   if (!result.first.is_constant()) {
     const Interval range = ring_.range_of(argument);
-    ring_.learn(result.first, signs_of(rederive::call("cos", range)));
-    ring_.learn(result.second, signs_of(rederive::call("sin", range)));
+    ring_.learn(result.first, signs_of(numbers::call("cos", range)));
+    ring_.learn(result.second, signs_of(numbers::call("sin", range)));
   }
   circular_.try_emplace(argument, result);
   return result;
@@ -278,4 +280,4 @@ const RewriteRule& rewrite_rule(const std::string& function) {
   return rules[static_cast<std::size_t>(&function_named(function) - functions().data())];
 }
 
-}  // namespace rederive
+}  // namespace rederive::identity

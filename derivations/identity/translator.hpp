@@ -6,13 +6,13 @@
 #include <derivations/language/tree.hpp>
 #include <set>
 
-namespace rederive {
+namespace rederive::identity {
 
 /// A value and its signs. In a condition for a tree to have a value, `tree` is the value as a tree.
 struct Atom {
   Fraction value;
   Signs signs;
-  Tree tree = nullptr;
+  language::Tree tree = nullptr;
 };
 /// Returns the relation a op b as a sign condition: a - b = 0, b - a > 0, …
 Atom atom_of(const Fraction& a, const std::string& op, const Fraction& b);
@@ -25,7 +25,7 @@ struct OtherBasis : Undecidable {
 class Translator {
  public:
   /// Keeps references to the ring and the symbols, which must live longer.
-  Translator(Ring& ring, const Symbols& symbols) : ring_(ring), symbols_(symbols) {}
+  Translator(Ring& ring, const language::Symbols& symbols) : ring_(ring), symbols_(symbols) {}
 
   /// Returns the result of the work in an empty ring. Starts again whenever the work throws OtherBasis.
   template <class Work>
@@ -40,7 +40,7 @@ class Translator {
   }
 
   /// Returns the tree in the ring, and appends the conditions for its value. All of these throw Undecidable.
-  Fraction operator()(const Tree& tree, std::vector<Atom>& conditions);
+  Fraction operator()(const language::Tree& tree, std::vector<Atom>& conditions);
 
   /// Return cos and sin of an argument in the ring, e^argument, and the logarithm of a positive value.
   std::pair<Fraction, Fraction> circular(const Fraction& argument);
@@ -54,8 +54,8 @@ class Translator {
   Multiple multiple_of_phase(const std::string& function, const cln::cl_RA& number, const Fraction& term);
 
  private:
-  Fraction translate(const Tree& tree);
-  Fraction power_of(const Tree& tree);
+  Fraction translate(const language::Tree& tree);
+  Fraction power_of(const language::Tree& tree);
   Fraction raised(const Fraction& base, const cln::cl_RA& exponent);
   Fraction whole(const Fraction& value);
   /// Returns the work's result for a value; if that is too large, for the value as one unknown in a new ring.
@@ -70,8 +70,8 @@ class Translator {
     too_large_.insert(value);
     throw OtherBasis();
   }
-  Fraction call(const Node& node);
-  void require(const Fraction& value, Signs allowed, const Tree& tree);
+  Fraction call(const language::Node& node);
+  void require(const Fraction& value, Signs allowed, const language::Tree& tree);
 
   Fraction symbol(const std::string& name);
   int common_multiple(const std::string& name, const Fraction& of, const cln::cl_I& number);
@@ -80,7 +80,7 @@ class Translator {
 
   // inverse_functions.cpp
   Fraction root(const Fraction& value, int order);
-  Fraction root_of(const Tree& tree, const Fraction& base, const cln::cl_RA& exponent);
+  Fraction root_of(const language::Tree& tree, const Fraction& base, const cln::cl_RA& exponent);
   Fraction root_generator(const Polynomial& base, int order);
   Polynomial modulus(const Polynomial& factor);
   Fraction absolute(const Fraction& value);
@@ -91,7 +91,7 @@ class Translator {
   std::optional<Fraction> moved_by_half_turns(const Fraction& a, bool is_sine);
 
   Ring& ring_;
-  const Symbols& symbols_;
+  const language::Symbols& symbols_;
   std::vector<Atom>* conditions_ = nullptr;
   std::optional<Fraction> argument_;  ///< u of the present rule
   /// The orders of roots; "turn" is the common denominator of multiples of π.
@@ -118,11 +118,11 @@ bool vanishes(const Fraction& f, Ring& ring, Translator& translator, int depth =
 
 /// The conditions for f(u) to have a value, and the value.
 struct RewriteRule {
-  std::vector<std::pair<Tree, Signs>> domain;  ///< signs of values in u
-  Tree result;                                 ///< in u; null if the function is not replaced
+  std::vector<std::pair<language::Tree, Signs>> domain;  ///< signs of values in u
+  language::Tree result;                                 ///< in u; null if the function is not replaced
 };
 
 /// Returns the rule of a function. Throws std::out_of_range for an unknown function.
 const RewriteRule& rewrite_rule(const std::string& function);
 
-}  // namespace rederive
+}  // namespace rederive::identity

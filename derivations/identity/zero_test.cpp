@@ -2,7 +2,8 @@
 #include <algorithm>
 #include <derivations/identity/translator.hpp>
 
-namespace rederive {
+namespace rederive::identity {
+using namespace numbers;
 
 namespace {
 
@@ -98,4 +99,4 @@ bool vanishes(const Fraction& f, Ring& ring, Translator& translator, int depth) 
   return false;
 }
 
-}  // namespace rederive
+}  // namespace rederive::identity

@@ -6,7 +6,11 @@
 #include <derivations/language/print.hpp>
 #include <set>
 
-namespace rederive {
+namespace rederive::kernel {
+using namespace language;
+using namespace numbers;
+using namespace identity;
+using namespace decide;
 
 namespace {
 
@@ -95,4 +99,4 @@ std::vector<std::pair<Tree, Signs>> needs_of(const std::vector<Tree>& trees) {
   return result;
 }
 
-}  // namespace rederive
+}  // namespace rederive::kernel

@@ -7,7 +7,12 @@
 #include <derivations/language/lower.hpp>
 #include <derivations/paper/prove.hpp>
 
-namespace rederive {
+namespace rederive::kernel {
+using namespace language;
+using namespace numbers;
+using namespace identity;
+using namespace decide;
+using namespace paper;
 
 namespace {
 
@@ -202,4 +207,4 @@ std::string refutation(const std::string& name, const Question& question, const 
          "  addition_theorems.\n  at_the_point.\nQed.\n";
 }
 
-}  // namespace rederive
+}  // namespace rederive::kernel

@@ -11,19 +11,19 @@
 #include <derivations/decide/proof.hpp>
 #include <derivations/identity/polynomial.hpp>
 
-namespace rederive {
+namespace rederive::kernel {
 
 /// The statement of a lemma: left and right are the same, under what is given and assumed.
 struct Question {
-  Relation left, right;
-  Symbols symbols;
-  std::vector<Given> given = {};
-  std::vector<Relation> assumptions = {};
+  language::Relation left, right;
+  language::Symbols symbols;
+  std::vector<language::Given> given = {};
+  std::vector<language::Relation> assumptions = {};
 };
 
 /// Returns "Lemma name : statement. Proof. … Qed." for a question that was proved. Throws Undecidable, with
 /// the reason, if there is no script for this kind of proof.
-std::string lemma(const std::string& name, const Question& question, const Proof& proof);
+std::string lemma(const std::string& name, const Question& question, const decide::Proof& proof);
 
 /// Returns whether the script of a question succeeds, that is, two expressions are the same in the ring, or
 /// two relations differ by a factor that has a sign. Then `lemma` also accepts an empty proof.
@@ -31,6 +31,6 @@ bool has_script(const Question& question);
 
 /// Returns the lemma of a question that was refuted: at some point in the ranges both statements have values,
 /// and one holds and the other does not. Throws as `lemma` does.
-std::string refutation(const std::string& name, const Question& question, const Proof& proof);
+std::string refutation(const std::string& name, const Question& question, const decide::Proof& proof);
 
-}  // namespace rederive
+}  // namespace rederive::kernel

@@ -8,7 +8,12 @@
 #include <optional>
 #include <regex>
 
-namespace rederive {
+namespace rederive::kernel {
+using namespace language;
+using namespace numbers;
+using namespace identity;
+using namespace decide;
+using namespace paper;
 
 namespace {
 
@@ -144,4 +149,4 @@ std::string with_rows(const Symbols& symbols, const RelationOf& relation_of,
   return result;
 }
 
-}  // namespace rederive
+}  // namespace rederive::kernel

@@ -4,7 +4,11 @@
 #include <derivations/language/functions.hpp>
 #include <derivations/language/lower.hpp>
 
-namespace rederive {
+namespace rederive::kernel {
+using namespace language;
+using namespace numbers;
+using namespace identity;
+using namespace decide;
 
 namespace {
 
@@ -218,4 +222,4 @@ std::optional<std::string> Script::factor(const Tree& left, const Tree& right) {
   return text_of(ratio);
 }
 
-}  // namespace rederive
+}  // namespace rederive::kernel

@@ -8,7 +8,12 @@
 #include <derivations/program/program.hpp>
 #include <derivations/program/toml_table.hpp>
 
-namespace rederive {
+namespace rederive::kernel {
+using namespace language;
+using namespace identity;
+using namespace decide;
+using namespace program;
+using namespace paper;
 
 namespace {
 
@@ -157,4 +162,4 @@ void write_scripts(const Paper& paper, const std::filesystem::path& folder, cons
   write_together(files);
 }
 
-}  // namespace rederive
+}  // namespace rederive::kernel

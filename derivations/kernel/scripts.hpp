@@ -5,7 +5,7 @@
 #include <derivations/paper/ledger.hpp>
 #include <filesystem>
 
-namespace rederive {
+namespace rederive::kernel {
 
 /// A lemma with its proof and the comment before it.
 struct Lemma {
@@ -26,7 +26,7 @@ std::string to_string(Lemma::Kind kind);
 std::string lemma_name(const std::string& kind, std::string id);
 
 /// Returns the lemma of a row, which is proved or refuted by its witness; std::nullopt for a definition.
-std::optional<Lemma> lemma_of(const Paper& paper, const Entry& entry);
+std::optional<Lemma> lemma_of(const paper::Paper& paper, const paper::Entry& entry);
 /// Returns whether there is no script for a lemma; then `why` gives the reason.
 inline bool is_skipped(const Lemma& lemma) { return lemma.text.empty() && !lemma.ships; }
 
@@ -41,13 +41,13 @@ struct Theorems {
 
 /// Reads the list of the theorems about a paper. Throws BadInput, with file and line, for a list that cannot
 /// be read.
-Theorems theorems_of(const Paper& paper);
+Theorems theorems_of(const paper::Paper& paper);
 /// Returns the text of a file of theorems, with the rows in their statements (row_text.hpp) and the premises
 /// of each theorem in a comment before it. Throws std::runtime_error.
-std::string theorem_file(const Paper& paper, const std::string& file);
+std::string theorem_file(const paper::Paper& paper, const std::string& file);
 /// Returns such a theorem with its proof, its premises and the comment before it. Throws std::runtime_error
 /// if its file does not contain it.
-std::string text_of(const Paper& paper, const Lemma& theorem);
+std::string text_of(const paper::Paper& paper, const Lemma& theorem);
 
 /// The files that all lemmas need, in the order in which they compile.
 inline constexpr std::array prelude{"Rederive.v", "Intervals.v", "Bounds.v"};
@@ -58,10 +58,10 @@ inline constexpr const char* imports = "From Rederive Require Import Rederive Bo
 std::string shipped(const std::string& name);
 
 /// Returns the files by their names: what ships, those of the lemmas, _CoqProject and a Makefile.
-std::map<std::string, std::string> files_of(const Paper& paper, const std::vector<Lemma>& lemmas);
+std::map<std::string, std::string> files_of(const paper::Paper& paper, const std::vector<Lemma>& lemmas);
 /// Writes these files, and `more` files by their names, into a folder: all of them or none. Throws BadInput
 /// if that is not possible.
-void write_scripts(const Paper& paper, const std::filesystem::path& folder, const std::vector<Lemma>& lemmas,
-                   const std::map<std::string, std::string>& more = {});
+void write_scripts(const paper::Paper& paper, const std::filesystem::path& folder,
+                   const std::vector<Lemma>& lemmas, const std::map<std::string, std::string>& more = {});
 
-}  // namespace rederive
+}  // namespace rederive::kernel

@@ -3,7 +3,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace rederive {
+namespace rederive::language {
 
 namespace {
 
@@ -109,4 +109,4 @@ const Function& function_named(std::string_view name) {
 
 bool is_function(std::string_view name) { return name == "pow" || find_function(name) != nullptr; }
 
-}  // namespace rederive
+}  // namespace rederive::language

@@ -9,7 +9,7 @@
 #include <span>
 #include <string_view>
 
-namespace rederive {
+namespace rederive::language {
 
 /// A function f of one argument u, and what is known about it. A text that is empty says that there is none.
 struct Function {
@@ -62,4 +62,4 @@ const Function& function_named(std::string_view name);
 /// Returns whether this is the name of a function, or pow.
 bool is_function(std::string_view name);
 
-}  // namespace rederive
+}  // namespace rederive::language

@@ -5,7 +5,7 @@
 #include <derivations/language/unicode.hpp>
 #include <utility>
 
-namespace rederive {
+namespace rederive::language {
 
 namespace {
 
@@ -261,4 +261,4 @@ std::vector<Token> tokenize(std::string_view text, const Symbols& symbols, const
   return Tokenizer(text, symbols, limits).run();
 }
 
-}  // namespace rederive
+}  // namespace rederive::language

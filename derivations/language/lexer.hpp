@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-namespace rederive {
+namespace rederive::language {
 
 struct Token {
   enum class Kind {
@@ -48,4 +48,4 @@ bool is_function_elsewhere(std::string_view name);
 std::string unknown_function(std::string_view name, const std::string& quoted);
 std::string unknown_symbol(std::string_view name, const std::string& quoted, const Symbols& symbols);
 
-}  // namespace rederive
+}  // namespace rederive::language

@@ -1,7 +1,7 @@
 #include <derivations/language/functions.hpp>
 #include <derivations/language/lower.hpp>
 
-namespace rederive {
+namespace rederive::language {
 
 namespace {
 
@@ -139,4 +139,4 @@ ex lower(const Tree& tree, const Symbols& symbols, const Limits& limits) {
   }
 }
 
-}  // namespace rederive
+}  // namespace rederive::language

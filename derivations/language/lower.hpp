@@ -6,7 +6,7 @@
 #include <derivations/language/symbols.hpp>
 #include <derivations/language/tree.hpp>
 
-namespace rederive {
+namespace rederive::language {
 
 /// Returns the GiNaC expression of a tree. GiNaC simplifies as it builds, so only the tree has the form.
 /// Throws SyntaxError: "undefined" where rational arithmetic finds no real value (1/0, log(0), sqrt(-1),
@@ -18,4 +18,4 @@ GiNaC::ex lower(const Tree& tree, const Symbols& symbols, const Limits& limits =
 /// order of their table, powers descending, no negative powers. Throws std::invalid_argument without one.
 Tree to_tree(const GiNaC::ex& expression, const Symbols& symbols);
 
-}  // namespace rederive
+}  // namespace rederive::language

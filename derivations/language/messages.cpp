@@ -4,7 +4,7 @@
 #include <derivations/language/nearest.hpp>
 #include <derivations/language/print.hpp>
 
-namespace rederive {
+namespace rederive::language {
 
 namespace {
 
@@ -100,4 +100,4 @@ std::string unknown_symbol(std::string_view name, const std::string& quoted, con
   return "there is no symbol " + quoted + did_you_mean(nearest_symbol(name, symbols));
 }
 
-}  // namespace rederive
+}  // namespace rederive::language

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-namespace rederive {
+namespace rederive::language {
 
 constexpr std::size_t longest_name = 40;  ///< names longer than this have no nearest word
 
@@ -51,4 +51,4 @@ inline std::string did_you_mean(const std::string& name) {
   return name.empty() ? "" : ": did you mean '" + name + "'?";
 }
 
-}  // namespace rederive
+}  // namespace rederive::language

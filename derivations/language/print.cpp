@@ -4,7 +4,7 @@
 #include <derivations/language/print.hpp>
 #include <derivations/language/unicode.hpp>
 
-namespace rederive {
+namespace rederive::language {
 
 namespace {
 
@@ -202,4 +202,4 @@ std::string print(const GiNaC::ex& expression, Notation notation, const Symbols&
   return print(to_tree(expression, symbols), notation, symbols);
 }
 
-}  // namespace rederive
+}  // namespace rederive::language

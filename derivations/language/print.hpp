@@ -3,7 +3,7 @@
 
 #include <derivations/language/lower.hpp>
 
-namespace rederive {
+namespace rederive::language {
 
 enum class Notation { plain, unicode, latex };  ///< plain is our own syntax and can be parsed again
 
@@ -17,4 +17,4 @@ inline std::string print(const Relation& relation) { return print(relation, Nota
 /// print(to_tree(expression)).
 std::string print(const GiNaC::ex& expression, Notation notation, const Symbols& symbols);
 
-}  // namespace rederive
+}  // namespace rederive::language

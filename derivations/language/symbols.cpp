@@ -3,7 +3,7 @@
 #include <regex>
 #include <stdexcept>
 
-namespace rederive {
+namespace rederive::language {
 
 Range read_range(std::string_view text) {
   static const std::regex form(R"( *([(\[]) *([^,]*[^, ]) *, *([^,]*[^, ]) *([)\]]) *)");
@@ -71,4 +71,4 @@ std::size_t Symbols::rank(std::string_view name) const {
   return 1 + static_cast<std::size_t>(std::find(order_.begin(), order_.end(), name) - order_.begin());
 }
 
-}  // namespace rederive
+}  // namespace rederive::language

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-namespace rederive {
+namespace rederive::language {
 
 /// A GiNaC symbol whose copies keep what GiNaC knows about it (real, positive). Copying a GiNaC::symbol would
 /// turn a possymbol into a nameless complex symbol; here that does not compile.
@@ -82,4 +82,4 @@ class Symbols {
   std::shared_ptr<Table> table_ = std::make_shared<Table>();
 };
 
-}  // namespace rederive
+}  // namespace rederive::language

@@ -8,7 +8,7 @@
 #include <optional>
 #include <utility>
 
-namespace rederive {
+namespace rederive::language {
 
 namespace {
 
@@ -296,4 +296,4 @@ Tree parse(std::string_view text, const Symbols& symbols, const Limits& limits) 
   return Parser(text, symbols, limits).expression();
 }
 
-}  // namespace rederive
+}  // namespace rederive::language

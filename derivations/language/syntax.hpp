@@ -5,7 +5,7 @@
 #include <derivations/language/tree.hpp>
 #include <string_view>
 
-namespace rederive {
+namespace rederive::language {
 
 /// Returns the tree of an expression. Throws SyntaxError: for a name that `symbols` lacks, with the nearest
 /// known one; "relation" if the text is a relation.
@@ -15,4 +15,4 @@ Relation parse_relation(std::string_view text, const Symbols& symbols, const Lim
 /// Returns either; an expression becomes a Relation with one side and no operator. Throws SyntaxError.
 Relation parse_statement(std::string_view text, const Symbols& symbols, const Limits& limits = {});
 
-}  // namespace rederive
+}  // namespace rederive::language

@@ -9,7 +9,7 @@
 #include <tuple>
 #include <utility>
 
-namespace rederive {
+namespace rederive::language {
 
 namespace {
 
@@ -277,4 +277,4 @@ struct Writer {
 
 Tree to_tree(const GiNaC::ex& expression, const Symbols& symbols) { return Writer{symbols}.tree(expression); }
 
-}  // namespace rederive
+}  // namespace rederive::language

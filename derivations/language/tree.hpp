@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-namespace rederive {
+namespace rederive::language {
 
 struct Node;
 using Tree = std::shared_ptr<const Node>;
@@ -106,4 +106,4 @@ struct SyntaxError : std::runtime_error {
   std::size_t position;  ///< byte offset in the text
 };
 
-}  // namespace rederive
+}  // namespace rederive::language

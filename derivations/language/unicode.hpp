@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-namespace rederive {
+namespace rederive::language {
 
 /// A code point and its number of bytes in UTF-8; 0 bytes if there is no code point.
 struct CodePoint {
@@ -84,4 +84,4 @@ inline int subscript_digit(char32_t code) {
   return code >= U'₀' && code <= U'₉' ? static_cast<int>(code - U'₀') : -1;
 }
 
-}  // namespace rederive
+}  // namespace rederive::language

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace rederive {
+namespace rederive::mechanics {
 
 /// One line of an argument: a sentence and, if it has one, the formula at which it arrives, left = right.
 struct Step {
@@ -22,7 +22,7 @@ struct Derivation {
   GiNaC::ex left, right;
   std::string relation = "=";  ///< "=", "<", "<=", ">", ">="
   std::vector<Step> steps;
-  std::vector<Given>
+  std::vector<language::Given>
       given;  ///< what the names stand for: J_o = 4/3 m R², h = R cos α … (put in before comparing)
   /// Holds only under this, which the paper leaves unsaid: a relation, and words behind : or ;. Empty if
   /// always.
@@ -34,4 +34,4 @@ struct Derivation {
 /// A derivation is a pure function.
 using Derive = std::function<Derivation()>;
 
-}  // namespace rederive
+}  // namespace rederive::mechanics

@@ -7,7 +7,8 @@
 #include <derivations/mechanics/dimension.hpp>
 #include <sstream>
 
-namespace rederive {
+namespace rederive::mechanics {
+using namespace language;
 
 namespace {
 
@@ -223,4 +224,4 @@ DimensionReport dimension(const Tree& tree, const Symbols& symbols) {
   return dimension(Relation{{tree}, {}}, symbols);
 }
 
-}  // namespace rederive
+}  // namespace rederive::mechanics

@@ -7,7 +7,7 @@
 #include <optional>
 #include <string>
 
-namespace rederive {
+namespace rederive::mechanics {
 
 /// The base units of the SI.
 inline constexpr std::array<const char*, 7> base_units = {"kg", "m", "s", "A", "K", "mol", "cd"};
@@ -29,7 +29,7 @@ struct DimensionReport {
 /// Returns whether all terms have the same dimension. Angles are pure numbers; arguments of sin, exp … must
 /// be pure numbers. Throws SyntaxError for an exponent without a value, and std::invalid_argument for a unit
 /// of a symbol that cannot be read.
-DimensionReport dimension(const Tree& tree, const Symbols& symbols);
-DimensionReport dimension(const Relation& relation, const Symbols& symbols);
+DimensionReport dimension(const language::Tree& tree, const language::Symbols& symbols);
+DimensionReport dimension(const language::Relation& relation, const language::Symbols& symbols);
 
-}  // namespace rederive
+}  // namespace rederive::mechanics

@@ -1,7 +1,8 @@
 #include <derivations/mechanics/linear_motion.hpp>
 #include <stdexcept>
 
-namespace rederive {
+namespace rederive::mechanics {
+using namespace language;
 
 using GiNaC::ex;
 using GiNaC::lst;
@@ -100,4 +101,4 @@ ex solution_from(const LinearEquation& equation, const ex& start, const ex& angl
   return general_solution(equation, start, c.C, c.D);
 }
 
-}  // namespace rederive
+}  // namespace rederive::mechanics

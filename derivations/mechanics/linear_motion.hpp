@@ -4,18 +4,18 @@
 #include <derivations/language/symbols.hpp>
 #include <vector>
 
-namespace rederive {
+namespace rederive::mechanics {
 
 /// Returns the Taylor polynomial of f in the symbols `small`, which have the same order of magnitude, to
 /// total degree `order` >= 0. Throws GiNaC's error for a pole at 0.
-GiNaC::ex taylor(const GiNaC::ex& f, const std::vector<SymbolExpression>& small, int order);
+GiNaC::ex taylor(const GiNaC::ex& f, const std::vector<language::SymbolExpression>& small, int order);
 
 /// The equation θ̈ − k²θ = forcing with a constant k. The forcing is a sum of constants, multiples of the
 /// time, and sines and cosines of phases that are linear in time.
 struct LinearEquation {
   GiNaC::ex k;
   GiNaC::ex forcing;
-  SymbolExpression time;
+  language::SymbolExpression time;
 };
 
 /// Returns one solution, by the ansatz Σ Cⱼ φⱼ(t). The φⱼ are a constant, the time if the forcing contains
@@ -39,4 +39,4 @@ Constants constants_from_start(const LinearEquation& equation, const GiNaC::ex& 
 GiNaC::ex solution_from(const LinearEquation& equation, const GiNaC::ex& start, const GiNaC::ex& angle,
                         const GiNaC::ex& rate);
 
-}  // namespace rederive
+}  // namespace rederive::mechanics

@@ -1,7 +1,8 @@
 #include <derivations/mechanics/plane.hpp>
 #include <stdexcept>
 
-namespace rederive {
+namespace rederive::mechanics {
+using namespace language;
 
 using GiNaC::ex;
 
@@ -47,4 +48,4 @@ ex moment_balance(const Rectangle& body, const Vector& element, const Vector& ca
   return by_pythagoras(sum);
 }
 
-}  // namespace rederive
+}  // namespace rederive::mechanics

@@ -5,7 +5,7 @@
 #include <derivations/mechanics/time_derivative.hpp>
 #include <vector>
 
-namespace rederive {
+namespace rederive::mechanics {
 
 /// A vector by its components to the right and upwards.
 struct Vector {
@@ -23,11 +23,12 @@ Vector turned_clockwise(const Vector& a, const GiNaC::ex& angle);
 Vector time_derivative(const Vector& a, const Rates& rates);
 
 /// Returns ∫ f dv from `from` to `to`. Throws std::invalid_argument if f is not a polynomial in v.
-GiNaC::ex integral(const GiNaC::ex& f, const SymbolExpression& v, const GiNaC::ex& from, const GiNaC::ex& to);
+GiNaC::ex integral(const GiNaC::ex& f, const language::SymbolExpression& v, const GiNaC::ex& from,
+                   const GiNaC::ex& to);
 
 /// A rectangle of uniform density. (x, y) are its points at rest, seen from a point fixed in the body.
 struct Rectangle {
-  SymbolExpression x, y;
+  language::SymbolExpression x, y;
   GiNaC::ex left, right, bottom, top;  ///< x from left to right, y from bottom to top
   GiNaC::ex density;                   ///< mass per area
 };
@@ -50,4 +51,4 @@ struct AppliedForce {
 GiNaC::ex moment_balance(const Rectangle& body, const Vector& element, const Vector& carried,
                          const std::vector<AppliedForce>& forces, const Rates& rates);
 
-}  // namespace rederive
+}  // namespace rederive::mechanics

@@ -1,7 +1,7 @@
 #include <derivations/mechanics/time_derivative.hpp>
 #include <stdexcept>
 
-namespace rederive {
+namespace rederive::mechanics {
 
 using GiNaC::ex;
 
@@ -19,4 +19,4 @@ LagrangeTerms lagrange_terms(const ex& kinetic, const ex& potential, const Coord
   return {momentum, time_derivative(momentum, rates), kinetic.diff(q.position), potential.diff(q.position)};
 }
 
-}  // namespace rederive
+}  // namespace rederive::mechanics

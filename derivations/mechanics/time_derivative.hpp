@@ -5,17 +5,17 @@
 #include <utility>
 #include <vector>
 
-namespace rederive {
+namespace rederive::mechanics {
 
 /// Pairs of a symbol and its rate: {θ, θ̇}, {θ̇, θ̈}, {u_g, u̇_g} …, and {t, 1} if the time itself appears.
-using Rates = std::vector<std::pair<SymbolExpression, GiNaC::ex>>;
+using Rates = std::vector<std::pair<language::SymbolExpression, GiNaC::ex>>;
 
 /// Returns df/dt = Σ ∂f/∂q · q̇ over the pairs of `rates`. A symbol without a pair is constant in time.
 GiNaC::ex time_derivative(const GiNaC::ex& f, const Rates& rates);
 
 /// A coordinate with its first and second time derivatives.
 struct Coordinate {
-  SymbolExpression position, rate, second_rate;
+  language::SymbolExpression position, rate, second_rate;
 };
 
 /// The left side of Lagrange's equation (1), d/dt(∂K/∂q̇) − ∂K/∂q + ∂Ω/∂q, term by term.
@@ -30,4 +30,4 @@ struct LagrangeTerms {
 LagrangeTerms lagrange_terms(const GiNaC::ex& kinetic, const GiNaC::ex& potential,
                              const Coordinate& coordinate, const Rates& rates);
 
-}  // namespace rederive
+}  // namespace rederive::mechanics

@@ -16,7 +16,7 @@ namespace cln {
 class cl_RA;
 }
 
-namespace rederive {
+namespace rederive::numbers {
 
 /// A real number in [middle - radius, middle + radius]. A result contains every value that the operation has
 /// on the operands, with the smaller of their precisions; it is not finite if a value is missing.
@@ -150,4 +150,4 @@ class Ball {
   long bits_ = most_bits;
 };
 
-}  // namespace rederive
+}  // namespace rederive::numbers

@@ -3,7 +3,8 @@
 #include <derivations/numbers/evaluate.hpp>
 #include <regex>
 
-namespace rederive {
+namespace rederive::numbers {
+using namespace language;
 
 namespace {
 
@@ -100,4 +101,4 @@ std::optional<std::string> digits_at(const Tree& tree, const Point& point, int d
   return std::nullopt;
 }
 
-}  // namespace rederive
+}  // namespace rederive::numbers

@@ -3,7 +3,8 @@
 #include <derivations/numbers/evaluate.hpp>
 #include <derivations/numbers/interval.hpp>
 
-namespace rederive {
+namespace rederive::numbers {
+using namespace language;
 
 namespace {
 
@@ -188,4 +189,4 @@ Interval call(const std::string& name, const Interval& x) {
   return result.value_or(range);  // a pole alone
 }
 
-}  // namespace rederive
+}  // namespace rederive::numbers

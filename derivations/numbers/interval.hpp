@@ -4,7 +4,7 @@
 #include <derivations/numbers/value.hpp>
 #include <string_view>
 
-namespace rederive {
+namespace rederive::numbers {
 
 /// One end of an interval: a + b*pi, or infinite (-1, +1). A closed end belongs to the interval.
 struct End : Constant {
@@ -61,4 +61,4 @@ struct MonotonePiece {
 /// Throws std::out_of_range for an unknown function, and for one that is defined as 1/f.
 const MonotonePiece& monotone_piece(const std::string& function);
 
-}  // namespace rederive
+}  // namespace rederive::numbers

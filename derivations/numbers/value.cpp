@@ -2,7 +2,8 @@
 #include <derivations/numbers/value.hpp>
 #include <map>
 
-namespace rederive {
+namespace rederive::numbers {
+using namespace language;
 
 namespace {
 
@@ -160,4 +161,4 @@ Value call(const std::string& name, const Value& x) {
   return !result.is_finite() && f.domain.excludes(sign_beyond) ? Value{Is::nowhere} : known(result);
 }
 
-}  // namespace rederive
+}  // namespace rederive::numbers

@@ -8,7 +8,7 @@
 #include <derivations/numbers/ball.hpp>
 #include <utility>
 
-namespace rederive {
+namespace rederive::numbers {
 
 /// An integer of FLINT that frees its memory.
 struct Integer {
@@ -82,4 +82,4 @@ Value pow(const Value& x, const Value& y);
 /// Returns the value of a function of our syntax. Throws std::out_of_range for an unknown function.
 Value call(const std::string& function, const Value& x);
 
-}  // namespace rederive
+}  // namespace rederive::numbers

@@ -2,7 +2,9 @@
 #include <derivations/decide/problem.hpp>
 #include <derivations/paper/conditions.hpp>
 
-namespace rederive {
+namespace rederive::paper {
+using namespace language;
+using namespace decide;
 
 std::vector<Relation> declared_conditions_on(const Paper& paper, std::set<std::string> names) {
   std::vector<Relation> result, others = paper.conditions;
@@ -19,4 +21,4 @@ std::vector<Relation> declared_conditions_on(const Paper& paper, std::set<std::s
   return result;
 }
 
-}  // namespace rederive
+}  // namespace rederive::paper

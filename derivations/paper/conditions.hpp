@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-namespace rederive {
+namespace rederive::paper {
 
 /// Those of the paper's conditions that say something of one of these names, or of a symbol in another one of
 /// them.
-std::vector<Relation> declared_conditions_on(const Paper& paper, std::set<std::string> names);
+std::vector<language::Relation> declared_conditions_on(const Paper& paper, std::set<std::string> names);
 
-}  // namespace rederive
+}  // namespace rederive::paper

@@ -5,7 +5,11 @@
 #include <derivations/paper/mutate.hpp>
 #include <functional>
 
-namespace rederive {
+namespace rederive::paper {
+using namespace language;
+using namespace numbers;
+using namespace decide;
+using namespace mechanics;
 
 namespace {
 
@@ -99,4 +103,4 @@ std::string correction_of(const Paper& paper, const Relation& printed, const Der
   return result;
 }
 
-}  // namespace rederive
+}  // namespace rederive::paper

@@ -1,7 +1,8 @@
 #include <derivations/paper/derivations.hpp>
 #include <stdexcept>
 
-namespace rederive {
+namespace rederive::paper {
+using namespace mechanics;
 
 Derivations::Derivations(std::initializer_list<std::pair<std::string, Derive>> list) {
   for (const auto& [id, derive] : list) add(id, derive);
@@ -23,4 +24,4 @@ const Derivation& Derivations::at(const std::string& id) const {
   return once(derive);
 }
 
-}  // namespace rederive
+}  // namespace rederive::paper

@@ -8,7 +8,7 @@
 #include <string>
 #include <utility>
 
-namespace rederive {
+namespace rederive::paper {
 
 /// Ids of rows ("21a", "u3a", "r1") with their derivations, of a section or of a paper. A derivation is run
 /// when its result is first asked for; copies share the result.
@@ -16,16 +16,16 @@ class Derivations {
  public:
   Derivations() = default;
   /// Throws std::invalid_argument if two derive the same row.
-  Derivations(std::initializer_list<std::pair<std::string, Derive>> list);
+  Derivations(std::initializer_list<std::pair<std::string, mechanics::Derive>> list);
   /// Adds the derivation of a row. Throws std::invalid_argument if the row is derived already.
-  void add(const std::string& id, Derive derive);
+  void add(const std::string& id, mechanics::Derive derive);
   bool contains(const std::string& id) const { return all_.contains(id); }
   std::vector<std::string> ids() const;  ///< sorted
   /// What the function of a row returns. Throws std::out_of_range if there is none, and what it throws.
-  const Derivation& at(const std::string& id) const;
+  const mechanics::Derivation& at(const std::string& id) const;
 
  private:
-  std::map<std::string, std::pair<Derive, Once<Derivation>>> all_;
+  std::map<std::string, std::pair<mechanics::Derive, Once<mechanics::Derivation>>> all_;
 };
 
-}  // namespace rederive
+}  // namespace rederive::paper

@@ -1,6 +1,6 @@
 #include <derivations/paper/edits.hpp>
 
-namespace rederive::edits {
+namespace rederive::paper::edits {
 
 Tree number(const std::string& digits) { return make_tree(Node::Kind::number, digits); }
 
@@ -71,4 +71,4 @@ Tree with_flipped(const Tree& tree, std::size_t first, std::size_t last) {
   return copy;
 }
 
-}  // namespace rederive::edits
+}  // namespace rederive::paper::edits

@@ -4,27 +4,28 @@
 #include <derivations/language/tree.hpp>
 #include <functional>
 
-namespace rederive::edits {
+namespace rederive::paper::edits {
 
-Tree number(const std::string& digits);
-Tree symbol(const std::string& name);
-Tree negative(const Tree& tree);
-Tree sum(const Tree& a, const Tree& b, bool minus = false);
-Tree product(const Tree& a, const Tree& b, bool divide = false);
-Tree call(const std::string& name, const Tree& argument);
+language::Tree number(const std::string& digits);
+language::Tree symbol(const std::string& name);
+language::Tree negative(const language::Tree& tree);
+language::Tree sum(const language::Tree& a, const language::Tree& b, bool minus = false);
+language::Tree product(const language::Tree& a, const language::Tree& b, bool divide = false);
+language::Tree call(const std::string& name, const language::Tree& argument);
 /// How many parts it has.
-std::size_t size_of(const Tree& tree);
+std::size_t size_of(const language::Tree& tree);
 /// The part of a product from one factor to another: b/c of a*b/c.
-Tree part_of(const Tree& product, std::size_t first, std::size_t last);
+language::Tree part_of(const language::Tree& product, std::size_t first, std::size_t last);
 /// The first and the last factor of each such part; nothing where the tree is no product.
-std::vector<std::pair<std::size_t, std::size_t>> runs_of(const Tree& tree);
+std::vector<std::pair<std::size_t, std::size_t>> runs_of(const language::Tree& tree);
 /// The tree with another function in the place of each.
-Tree with_functions(const Tree& tree, const std::function<Tree(const Tree&)>& change);
+language::Tree with_functions(const language::Tree& tree,
+                              const std::function<language::Tree(const language::Tree&)>& change);
 /// A copy with another child at `index`.
-Tree with_child(const Tree& tree, std::size_t index, const Tree& child);
+language::Tree with_child(const language::Tree& tree, std::size_t index, const language::Tree& child);
 /// A copy without the child at `index`.
-Tree without_child(const Tree& tree, std::size_t index);
+language::Tree without_child(const language::Tree& tree, std::size_t index);
 /// A copy with these terms subtracted for added, these factors as divisors.
-Tree with_flipped(const Tree& tree, std::size_t first, std::size_t last);
+language::Tree with_flipped(const language::Tree& tree, std::size_t first, std::size_t last);
 
-}  // namespace rederive::edits
+}  // namespace rederive::paper::edits

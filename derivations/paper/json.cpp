@@ -2,7 +2,11 @@
 #include <derivations/paper/prove.hpp>
 #include <nlohmann/json.hpp>
 
-namespace rederive {
+namespace rederive::paper {
+using namespace language;
+using namespace decide;
+using namespace mechanics;
+using namespace program;
 
 using Json = nlohmann::ordered_json;
 
@@ -65,4 +69,4 @@ Json to_json(const Entry& entry) {
           {"consequence", or_null(row.consequence)}};
 }
 
-}  // namespace rederive
+}  // namespace rederive::paper

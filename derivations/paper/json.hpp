@@ -4,14 +4,14 @@
 #include <derivations/paper/ledger.hpp>
 #include <nlohmann/json_fwd.hpp>
 
-namespace rederive {
+namespace rederive::paper {
 
 /// A row of `ledger --json`.
 nlohmann::ordered_json to_json(const Entry& entry);
 /// What `ledger prove --json` prints.
-nlohmann::ordered_json to_json(const Proof& proof);
+nlohmann::ordered_json to_json(const decide::Proof& proof);
 
 /// "consistent", "inconsistent"; "not_applicable" where nothing is printed.
 std::string dimension_word(const Entry& entry);
 
-}  // namespace rederive
+}  // namespace rederive::paper

@@ -3,7 +3,10 @@
 #include <string_view>
 #include <unordered_map>
 
-namespace rederive {
+namespace rederive::paper {
+using namespace language;
+using namespace decide;
+using namespace mechanics;
 
 namespace {
 
@@ -64,4 +67,4 @@ Entry judge(const Paper& paper, const Row& row, const std::vector<Row>& rows) {
   return entry;
 }
 
-}  // namespace rederive
+}  // namespace rederive::paper

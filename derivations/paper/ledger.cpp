@@ -10,7 +10,12 @@
 #include <sstream>
 #include <stdexcept>
 
-namespace rederive {
+namespace rederive::paper {
+using namespace language;
+using namespace numbers;
+using namespace decide;
+using namespace mechanics;
+using namespace program;
 
 namespace {
 
@@ -241,7 +246,8 @@ Relation derived_relation(const Derivation& derivation, const Symbols& symbols) 
 
 Proof compare(const Relation& printed, const Derivation& derivation, const Symbols& symbols,
               const std::vector<Relation>& conditions) {
-  Proof proof = decide(printed, derived_relation(derivation, symbols), symbols, derivation.given, conditions);
+  Proof proof =
+      decide::decide(printed, derived_relation(derivation, symbols), symbols, derivation.given, conditions);
   if (derivation.order > 0) proof = with_series(std::move(proof), printed, derivation, symbols, conditions);
   if (proof.verdict == Verdict::proved && !derivation.assumption.empty())
     proof.verdict = Verdict::proved_under;
@@ -260,4 +266,4 @@ std::optional<Derivation> checked_derivation(const Paper& paper, const std::stri
   }
 }
 
-}  // namespace rederive
+}  // namespace rederive::paper

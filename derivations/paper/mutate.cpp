@@ -7,7 +7,12 @@
 #include <random>
 #include <set>
 
-namespace rederive {
+namespace rederive::paper {
+using namespace language;
+using namespace numbers;
+using namespace decide;
+using namespace mechanics;
+using namespace emit;
 
 namespace {
 
@@ -186,4 +191,4 @@ Mutation mutate(const Paper& paper, const Row& row, unsigned seed, int most) {
   return outcome;
 }
 
-}  // namespace rederive
+}  // namespace rederive::paper

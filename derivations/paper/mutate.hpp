@@ -3,11 +3,11 @@
 
 #include <derivations/paper/ledger.hpp>
 
-namespace rederive {
+namespace rederive::paper {
 
 /// A relation with one slip in it.
 struct Mutant {
-  Relation relation;
+  language::Relation relation;
   /// A stable word: sign, coefficient, function, square, factor, term, symbol, dot, operator.
   std::string slip;
   std::string what;  ///< "the sign of term 2"
@@ -15,7 +15,7 @@ struct Mutant {
 
 /// Every single slip in `printed`, in a fixed order: a sign, a coefficient, sin for cos, sinh for cosh, a
 /// lost square, factor, term or dot, a swapped symbol, a turned inequality.
-std::vector<Mutant> mutants(const Relation& printed, const Paper& paper);
+std::vector<Mutant> mutants(const language::Relation& printed, const Paper& paper);
 
 /// What became of the mutants of one row.
 struct Mutation {
@@ -28,4 +28,4 @@ struct Mutation {
 /// Compares up to `most` mutants of a row (chosen by `seed`) with what was derived for it.
 Mutation mutate(const Paper& paper, const Row& row, unsigned seed, int most = 24);
 
-}  // namespace rederive
+}  // namespace rederive::paper

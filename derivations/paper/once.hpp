@@ -4,7 +4,7 @@
 #include <memory>
 #include <mutex>
 
-namespace rederive {
+namespace rederive::paper {
 
 /// Copies share the value.
 template <class Value>
@@ -25,4 +25,4 @@ class Once {
   std::shared_ptr<State> state_ = std::make_shared<State>();
 };
 
-}  // namespace rederive
+}  // namespace rederive::paper

@@ -9,7 +9,11 @@
 #include <set>
 #include <stdexcept>
 
-namespace rederive {
+namespace rederive::paper {
+using namespace language;
+using namespace numbers;
+using namespace mechanics;
+using namespace program;
 
 namespace {
 
@@ -143,4 +147,4 @@ Derivation with_citations(const Paper& paper, Derivation derivation) {
   return derivation;
 }
 
-}  // namespace rederive
+}  // namespace rederive::paper

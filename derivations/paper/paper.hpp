@@ -14,16 +14,16 @@
 #include <string>
 #include <vector>
 
-namespace rederive {
+namespace rederive::paper {
 
 /// One paper: its symbols, its printed rows and its derivations. A `Paper` is a value, and a program may hold
 /// several.
 struct Paper {
   std::string title = {};
-  std::filesystem::path equations = {};   ///< the file with the printed rows; see equations_file
-  Once<std::vector<Row>> rows = {};       ///< see rows_of
-  Symbols symbols = {};                   ///< the ends of all ranges are numbers
-  std::vector<Relation> conditions = {};  ///< the ranges that compare symbols: theta_0 < alpha
+  std::filesystem::path equations = {};             ///< the file with the printed rows; see equations_file
+  Once<std::vector<Row>> rows = {};                 ///< see rows_of
+  language::Symbols symbols = {};                   ///< the ends of all ranges are numbers
+  std::vector<language::Relation> conditions = {};  ///< the ranges that compare symbols: theta_0 < alpha
   Derivations derivations = {};
   /// Symbols that `prove` reads as arbitrary real numbers, because users give them other meanings.
   std::vector<std::string> free_letters = {};
@@ -33,7 +33,7 @@ struct Paper {
   bool has_names_in_words = false;
   /// The list of the Coq theorems about it, a file among the scripts that ship; empty if there are none.
   std::string theorems = {};
-  Emission (*emission)() = nullptr;  ///< its numeric functions; nullptr if it has none
+  emit::Emission (*emission)() = nullptr;  ///< its numeric functions; nullptr if it has none
   /// The source file in which `Paper{…}` is written, with braces. A relative `equations` is searched beside
   /// it.
   const char* source = __builtin_FILE();  // Clang 14 has no std::source_location
@@ -42,7 +42,7 @@ struct Paper {
   /// symbol at an end, as in "(0, alpha)", the comparison with that symbol is added to `conditions`. Throws
   /// std::invalid_argument, with the name of the symbol, for a unit or a range that cannot be read, for an
   /// empty range, and for two symbols that are written alike.
-  void declare(const std::vector<Symbol>& all);
+  void declare(const std::vector<language::Symbol>& all);
 };
 
 /// Returns the path of the file with the rows of a paper. A relative path is searched beside the source file
@@ -58,9 +58,9 @@ const Row& row_of(const Paper& paper, const std::string& id);
 /// Returns the derivation of a row, in which each citation is replaced by the cited result, or std::nullopt
 /// if the paper lists no derivation for the row. Throws std::logic_error if the row is derived from itself or
 /// cites a row without derivation; exceptions of the derivation pass through.
-std::optional<Derivation> derivation_of(const Paper& paper, const std::string& id);
+std::optional<mechanics::Derivation> derivation_of(const Paper& paper, const std::string& id);
 /// Returns `derivation` with each citation in its steps replaced by the cited result. Throws as
 /// derivation_of.
-Derivation with_citations(const Paper& paper, Derivation derivation);
+mechanics::Derivation with_citations(const Paper& paper, mechanics::Derivation derivation);
 
-}  // namespace rederive
+}  // namespace rederive::paper

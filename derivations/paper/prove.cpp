@@ -7,7 +7,11 @@
 #include <derivations/paper/prove.hpp>
 #include <regex>
 
-namespace rederive {
+namespace rederive::paper {
+using namespace language;
+using namespace numbers;
+using namespace decide;
+using namespace program;
 
 namespace {
 
@@ -126,7 +130,7 @@ void check_order(const ProveRequest& request, const Question& question) {
 }
 
 Proof decide_once(const Question& q, const ProveRequest& request) {
-  Proof proof = decide(q.left, q.right, q.symbols, {}, q.assumptions);
+  Proof proof = decide::decide(q.left, q.right, q.symbols, {}, q.assumptions);
   if (request.order && proof.verdict != Verdict::proved && proof.verdict != Verdict::proved_under)
     proof = decide_to_order(q.left, q.right, request.small, *request.order, q.symbols, {}, q.assumptions);
   return proof;
@@ -269,4 +273,4 @@ std::vector<std::string> in_words(const Witness& witness) {
   return words;
 }
 
-}  // namespace rederive
+}  // namespace rederive::paper

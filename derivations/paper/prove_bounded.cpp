@@ -3,7 +3,10 @@
 #include <derivations/program/bounded.hpp>
 #include <nlohmann/json.hpp>
 
-namespace rederive {
+namespace rederive::paper {
+using namespace language;
+using namespace decide;
+using namespace program;
 
 /// The child does everything that may be expensive; what it could not read is said here.
 nlohmann::ordered_json decide_bounded(const Paper& paper, const ProveRequest& request,
@@ -23,4 +26,4 @@ nlohmann::ordered_json decide_bounded(const Paper& paper, const ProveRequest& re
   return to_json(proof);
 }
 
-}  // namespace rederive
+}  // namespace rederive::paper

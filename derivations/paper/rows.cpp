@@ -2,7 +2,9 @@
 #include <derivations/paper/rows.hpp>
 #include <derivations/program/toml_table.hpp>
 
-namespace rederive {
+namespace rederive::paper {
+using namespace language;
+using namespace program;
 
 namespace {
 
@@ -127,4 +129,4 @@ std::vector<Row> read_rows(const std::filesystem::path& file) {
   return rows;
 }
 
-}  // namespace rederive
+}  // namespace rederive::paper

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace rederive {
+namespace rederive::paper {
 
 /// One row of equations.toml: what is printed, and what we expect to find. No answer is stored.
 struct Row {
@@ -25,4 +25,4 @@ struct Row {
 /// Reads equations.toml. Throws BadInput naming file, line, row and what would be right.
 std::vector<Row> read_rows(const std::filesystem::path& file);
 
-}  // namespace rederive
+}  // namespace rederive::paper

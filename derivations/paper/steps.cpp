@@ -1,6 +1,8 @@
 #include <derivations/paper/steps.hpp>
 
-namespace rederive {
+namespace rederive::paper {
+using namespace language;
+using namespace mechanics;
 
 using GiNaC::ex;
 
@@ -49,4 +51,4 @@ std::vector<Step> as_before(std::initializer_list<Derivation> others, const std:
   return steps;
 }
 
-}  // namespace rederive
+}  // namespace rederive::paper

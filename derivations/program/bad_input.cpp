@@ -2,7 +2,8 @@
 #include <derivations/language/unicode.hpp>
 #include <derivations/program/bad_input.hpp>
 
-namespace rederive {
+namespace rederive::program {
+using namespace language;
 
 std::string printable(std::string_view text) {
   std::string result;
@@ -22,4 +23,4 @@ std::string printable_line(std::string text) {
 
 std::string printable_name(const std::filesystem::path& file) { return printable_line(file.string()); }
 
-}  // namespace rederive
+}  // namespace rederive::program

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-namespace rederive {
+namespace rederive::program {
 
 /// Input that cannot be used. The message says what was wrong, where, and what would be right. Exit code 2.
 struct BadInput : std::runtime_error {
@@ -24,4 +24,4 @@ std::string printable_line(std::string text);
 /// Returns the name of a file as messages show it: printable, on one line, as the user gave it.
 std::string printable_name(const std::filesystem::path& file);
 
-}  // namespace rederive
+}  // namespace rederive::program

@@ -20,7 +20,7 @@
 #include <stdexcept>
 #include <thread>
 
-namespace rederive {
+namespace rederive::program {
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -189,4 +189,4 @@ Bounded run_bounded(const std::function<std::string()>& work, double seconds, lo
   return {std::nullopt, text.substr(1), taken, text[0] == '!' ? Ending::memory : Ending::crash};
 }
 
-}  // namespace rederive
+}  // namespace rederive::program

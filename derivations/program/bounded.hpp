@@ -8,7 +8,7 @@
 #include <optional>
 #include <string>
 
-namespace rederive {
+namespace rederive::program {
 
 /// How bounded work ended.
 enum class Ending { well, time, memory, crash, stopped, killed };
@@ -38,4 +38,4 @@ Bounded run_bounded(const std::function<std::string()>& work, double seconds, lo
                     double patience = 60, const std::function<void()>& first = {},
                     const std::function<bool()>& stop = {});
 
-}  // namespace rederive
+}  // namespace rederive::program

@@ -11,7 +11,7 @@
 #include <iostream>
 #include <vector>
 
-namespace rederive {
+namespace rederive::program {
 
 /// Returns the arguments as CLI11 takes them, the last one first. A formula may begin with a minus: "-x" is
 /// not an option, so it gets a space before it. Throws BadInput for "--option=" without a value.
@@ -117,4 +117,4 @@ inline const CLI::Validator file_name(
     },
     "");
 
-}  // namespace rederive
+}  // namespace rederive::program

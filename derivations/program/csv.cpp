@@ -1,6 +1,6 @@
 #include <derivations/program/csv.hpp>
 
-namespace rederive {
+namespace rederive::program {
 
 std::string csv_cell(const std::string& text, CsvQuotes quotes) {
   const std::string field = text.find_first_of("=+-@\t\r\n\x1B\xEF") == 0 ? "'" + text : text;
@@ -11,4 +11,4 @@ std::string csv_cell(const std::string& text, CsvQuotes quotes) {
   return quoted + "\"";
 }
 
-}  // namespace rederive
+}  // namespace rederive::program

@@ -3,7 +3,7 @@
 
 #include <string>
 
-namespace rederive {
+namespace rederive::program {
 
 /// When a cell gets quotation marks: only if it needs them, or always.
 enum class CsvQuotes { where_needed, always };
@@ -12,4 +12,4 @@ enum class CsvQuotes { where_needed, always };
 /// begins with =, +, -, @, a control character or full-width ＝, gets an apostrophe before it.
 std::string csv_cell(const std::string& text, CsvQuotes quotes = CsvQuotes::where_needed);
 
-}  // namespace rederive
+}  // namespace rederive::program

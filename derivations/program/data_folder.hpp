@@ -11,7 +11,7 @@
 #include <string>
 #include <system_error>
 
-namespace rederive {
+namespace rederive::program {
 
 /// Returns the file from which this code was loaded: a program, or a module that a program has loaded.
 /// Without /proc, a program is the file that was called, seen from the folder in which it runs. Returns "/"
@@ -47,4 +47,4 @@ inline std::filesystem::path data_folder() {
   return fs::path("/usr") / place;  // reading from it reports that it is missing
 }
 
-}  // namespace rederive
+}  // namespace rederive::program

@@ -12,7 +12,7 @@
 #include <derivations/program/files.hpp>
 #include <system_error>
 
-namespace rederive {
+namespace rederive::program {
 namespace {
 
 namespace fs = std::filesystem;
@@ -286,4 +286,4 @@ fs::path ordinary_target(const fs::path& file) {
   return target.file;
 }
 
-}  // namespace rederive
+}  // namespace rederive::program

@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-namespace rederive {
+namespace rederive::program {
 
 /// While an object of this class exists, no signal interrupts its thread. A signal that would end the program
 /// takes effect afterwards.
@@ -81,4 +81,4 @@ bool becomes_ordinary_file(const std::filesystem::path& file);
 /// that is written there becomes an ordinary file.
 std::filesystem::path ordinary_target(const std::filesystem::path& file);
 
-}  // namespace rederive
+}  // namespace rederive::program

@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-namespace rederive {
+namespace rederive::program {
 
 /// The exit codes of all programs.
 enum ExitCode { as_expected = 0, not_as_expected = 1, bad_input = 2, undecided_or_failed = 3 };
@@ -20,4 +20,4 @@ inline std::string trimmed(std::string_view text) {
   return std::string(text.substr(first, text.find_last_not_of(blanks) - first + 1));
 }
 
-}  // namespace rederive
+}  // namespace rederive::program

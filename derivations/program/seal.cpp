@@ -19,7 +19,7 @@
 
 #include <derivations/program/seal.hpp>
 
-namespace rederive {
+namespace rederive::program {
 namespace {
 
 #if defined(__linux__) && (defined(__x86_64__) || defined(__aarch64__))
@@ -79,4 +79,4 @@ void seal(int report) {
   (void)allow_computing_only(report);
 }
 
-}  // namespace rederive
+}  // namespace rederive::program

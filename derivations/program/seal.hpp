@@ -1,7 +1,7 @@
 // Restricts this process to computing: no files, no programs, no connections, no signals to others.
 #pragma once
 
-namespace rederive {
+namespace rederive::program {
 
 /// Returns whether a sanitizer or valgrind runs this process. They open files, use memory, and write reports.
 bool is_watched();
@@ -10,4 +10,4 @@ bool is_watched();
 /// supports it, every system call except those for computing and for writing to the descriptor `report`.
 void seal(int report);
 
-}  // namespace rederive
+}  // namespace rederive::program

@@ -9,7 +9,7 @@
 #include <derivations/program/surroundings.hpp>
 #include <system_error>
 
-namespace rederive {
+namespace rederive::program {
 namespace {
 
 namespace fs = std::filesystem;
@@ -75,4 +75,4 @@ fs::path private_folder(const std::string& name) {
   return fresh;
 }
 
-}  // namespace rederive
+}  // namespace rederive::program

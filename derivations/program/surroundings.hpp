@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <string>
 
-namespace rederive {
+namespace rederive::program {
 
 /// Opens the descriptors 0, 1 and 2 if they are closed, so that no file of ours becomes one of them. Then
 /// standard input is empty, and writing to standard output fails as before. Call this first in `main`.
@@ -26,4 +26,4 @@ void make_own_folder(const std::filesystem::path& folder);
 /// is not possible, a new one in the folder for temporary files. Throws BadInput if neither is possible.
 std::filesystem::path private_folder(const std::string& name);
 
-}  // namespace rederive
+}  // namespace rederive::program

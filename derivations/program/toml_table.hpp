@@ -19,7 +19,7 @@
 #include <string>
 #include <vector>
 
-namespace rederive {
+namespace rederive::program {
 
 /// A table of a TOML file. A key is known once it was asked for. Every error is a BadInput that begins with
 /// "FILE:LINE: ", the line of the key or value.
@@ -264,8 +264,9 @@ inline std::vector<std::string> TomlTable::keys() const {
 inline void TomlTable::done() const {
   for (const auto& [key, value] : *table_)
     if (const std::string name(key.str()); std::ranges::find(asked_, name) == asked_.end())
-      refuse(key.source(), fmt::format("there is no key '{}' here{}; the keys are {}", name,
-                                       did_you_mean(nearest(name, asked_)), fmt::join(asked_, ", ")));
+      refuse(key.source(),
+             fmt::format("there is no key '{}' here{}; the keys are {}", name,
+                         language::did_you_mean(language::nearest(name, asked_)), fmt::join(asked_, ", ")));
   if (!missing_.empty()) fail("'" + missing_ + "' is missing or empty", missing_);
 }
 
@@ -273,7 +274,7 @@ inline void TomlTable::check_word(const std::string& key, const std::string& tex
                                   const std::vector<std::string>& words) const {
   constexpr std::size_t most_listed = 20;
   if (std::ranges::find(words, text) != words.end()) return;
-  std::string right = did_you_mean(nearest(text, words));
+  std::string right = language::did_you_mean(language::nearest(text, words));
   if (words.size() <= most_listed) right += fmt::format("; it must be one of {}", fmt::join(words, ", "));
   fail(fmt::format("'{}' cannot be '{}'{}", key, text, right), key);
 }
@@ -300,4 +301,4 @@ inline std::vector<TomlTable> tables_of(const std::filesystem::path& file, const
   return found;
 }
 
-}  // namespace rederive
+}  // namespace rederive::program

@@ -14,21 +14,24 @@ using GiNaC::lst;
 
 /// Symbols that only numeric functions have.
 namespace numeric {
-inline const Symbol ground{"ground", "\\gamma", "γ", "1", all_numbers, "acceleration of the ground over g",
-                           "emit"},
+inline const language::Symbol ground{
+    "ground", "\\gamma", "γ", "1", language::all_numbers, "acceleration of the ground over g", "emit"},
     amplitude{"amplitude", "a", "a", "1", "[0, inf)", "amplitude of the ground acceleration over g", "emit"},
     omega_ratio{"omega_ratio", "w", "w", "1", "(0, inf)", "omega_p/p", "emit"},
     tau_i{"tau_i", "\\tau_i", "τ_i", "1", "(0, inf)", "time of the impact, p*t_i", "emit"},
     share{"share", "\\lambda", "λ", "1", "(0, 1]", "acceleration of the ground at t = 0 over its amplitude",
           "emit"},
-    angle{"angle", "\\theta/\\alpha", "θ/α", "1", all_numbers, "theta/alpha", "emit"},
-    velocity{"velocity",  "\\dot\\theta/(\\alpha p)", "θ̇/(αp)", "1",
-             all_numbers, "thetadot/(alpha*p)",       "emit"},
-    slope{"slope", "\\dot\\gamma", "γ̇", "1/s", all_numbers, "rate of the ground acceleration over g", "emit"},
-    quadrature{"quadrature", "\\gamma_\\perp", "γ⊥",
-               "1",          all_numbers,      "rate of the ground acceleration over omega_p*g",
+    angle{"angle", "\\theta/\\alpha", "θ/α", "1", language::all_numbers, "theta/alpha", "emit"},
+    velocity{"velocity", "\\dot\\theta/(\\alpha p)", "θ̇/(αp)",
+             "1",        language::all_numbers,      "thetadot/(alpha*p)",
+             "emit"},
+    slope{"slope", "\\dot\\gamma",        "γ̇",
+          "1/s",   language::all_numbers, "rate of the ground acceleration over g",
+          "emit"},
+    quadrature{"quadrature", "\\gamma_\\perp",      "γ⊥",
+               "1",          language::all_numbers, "rate of the ground acceleration over omega_p*g",
                "emit"},
-    push{"push", "\\kappa", "κ", "1", all_numbers, "(theta_0 + thetadot_0/p)/alpha", "emit"};
+    push{"push", "\\kappa", "κ", "1", language::all_numbers, "(theta_0 + thetadot_0/p)/alpha", "emit"};
 }  // namespace numeric
 
 /// Returns the name of the function for that side: "…_negative", "…_positive".
@@ -42,10 +45,10 @@ inline std::string row(Side side, const std::string& negative, const std::string
 
 /// Returns the expression without a symbol that it contains but does not depend on. Throws std::logic_error
 /// if it depends on the symbol.
-inline ex without(const SymbolExpression& symbol, const ex& e) {
+inline ex without(const language::SymbolExpression& symbol, const ex& e) {
   if (!e.has(symbol)) return e;
   const bool independent = e.diff(symbol).normal().is_zero();
-  if (!independent) throw std::logic_error("the expression must not depend on " + name_of(symbol));
+  if (!independent) throw std::logic_error("the expression must not depend on " + emit::name_of(symbol));
   return e.subs(symbol == 1);
 }
 inline ex with_ground(const ex& e) { return e.subs(u_gddot == numeric::ground * g); }

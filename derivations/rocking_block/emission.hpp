@@ -6,11 +6,11 @@
 namespace rederive::rocking_block {
 
 /// Returns every function and stepper that is emitted, built from the derivations.
-Emission emission();
+emit::Emission emission();
 /// Return the parts of the emission.
-std::vector<EmittedFunction> emitted_functions();
-std::vector<TaylorStepper> taylor_steppers();
+std::vector<emit::EmittedFunction> emitted_functions();
+std::vector<emit::TaylorStepper> taylor_steppers();
 /// Returns the symbols of the paper and those that only numeric functions have (arguments.hpp).
-Symbols emission_symbols();
+language::Symbols emission_symbols();
 
 }  // namespace rederive::rocking_block

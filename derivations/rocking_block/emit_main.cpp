@@ -2,4 +2,6 @@
 #include <derivations/emit/run_emit.hpp>
 #include <derivations/rocking_block/emission.hpp>
 
-int main(int argc, char** argv) { return rederive::run_emit(rederive::rocking_block::emission, argc, argv); }
+int main(int argc, char** argv) {
+  return rederive::emit::run_emit(rederive::rocking_block::emission, argc, argv);
+}

@@ -11,6 +11,9 @@
 #include <derivations/rocking_block/sliding.hpp>
 
 namespace rederive::rocking_block {
+using namespace language;
+using namespace mechanics;
+using namespace emit;
 
 namespace {
 

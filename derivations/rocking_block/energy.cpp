@@ -2,6 +2,9 @@
 #include <stdexcept>
 
 namespace rederive::rocking_block {
+using namespace language;
+using namespace mechanics;
+using namespace paper;
 
 using GiNaC::ex;
 

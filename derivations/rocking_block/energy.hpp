@@ -13,12 +13,12 @@ GiNaC::ex energy_rate(Side side);
 /// Derives the velocity θ̇ with which free motion at θ just reaches θ = ∓α, by (22): ∓2 p sin((α ± θ)/2). The
 /// difference of cosines is written as a product, in which nothing cancels for slender blocks and near θ =
 /// ∓α.
-Derivation critical_rate(Side side);
+mechanics::Derivation critical_rate(Side side);
 /// Derives the square θ̇² of the velocity at the impact to which free motion leads from θ and θ̇, by (22), in
 /// the same form.
-Derivation impact_rate_squared(Side side);
+mechanics::Derivation impact_rate_squared(Side side);
 
 /// Adds the derivations of (22) and of the ground acceleration at θ = α, by (21).
-void derive_energy(Derivations& rows);
+void derive_energy(paper::Derivations& rows);
 
 }  // namespace rederive::rocking_block

@@ -7,10 +7,10 @@ namespace rederive::rocking_block {
 
 /// Returns the block at rest, seen from the pivot on that side: x is in (0, 2b) from O and in (−2b, 0) from
 /// O', y is in (0, 2h).
-Rectangle block_from_pivot(Side side);
+mechanics::Rectangle block_from_pivot(Side side);
 
 /// Returns J_o = 4/3 m R² and R = 3g/(4p²) in m, g and p. With these (11) and (20) become (21).
-std::vector<Given> inertia_and_frequency();
+std::vector<language::Given> inertia_and_frequency();
 
 /// Returns the kinetic energy of (6) or (16), J_o θ̇²/2 + m u̇_g²/2 + m R u̇_g θ̇ cos(α ± θ).
 GiNaC::ex kinetic_energy(Side side);
@@ -24,11 +24,11 @@ GiNaC::ex motion_by_moments(Side side);
 GiNaC::ex angular_acceleration(Side side);
 
 /// Derive J_c of (5), J_o of (6) and p of (21) for a homogeneous rectangle.
-Derivation moment_of_inertia_about_centre();
-Derivation moment_of_inertia_about_pivot();
-Derivation frequency_parameter();
+mechanics::Derivation moment_of_inertia_about_centre();
+mechanics::Derivation moment_of_inertia_about_pivot();
+mechanics::Derivation frequency_parameter();
 
 /// Adds the derivations of (1), (5) to (11), (14), (16) to (21).
-void derive_equation_of_motion(Derivations& rows);
+void derive_equation_of_motion(paper::Derivations& rows);
 
 }  // namespace rederive::rocking_block

@@ -1,6 +1,8 @@
 #include <derivations/rocking_block/impact.hpp>
 
 namespace rederive::rocking_block {
+using namespace mechanics;
+using namespace paper;
 
 using GiNaC::ex;
 

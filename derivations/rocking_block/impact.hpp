@@ -18,6 +18,6 @@ GiNaC::ex restitution();
 GiNaC::ex restitution_by_parallel_axes();
 
 /// Adds the derivations of (35) to (46), and of a result of our own.
-void derive_impact(Derivations& rows);
+void derive_impact(paper::Derivations& rows);
 
 }  // namespace rederive::rocking_block

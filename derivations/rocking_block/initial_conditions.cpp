@@ -1,6 +1,9 @@
 #include <derivations/rocking_block/initial_conditions.hpp>
 
 namespace rederive::rocking_block {
+using namespace language;
+using namespace mechanics;
+using namespace paper;
 
 using GiNaC::ex;
 using GiNaC::lst;

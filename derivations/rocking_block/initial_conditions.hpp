@@ -15,9 +15,9 @@ ThresholdEquation overturning_sine_pulse();
 ThresholdEquation overturning_cosine_pulse_from_rest();
 
 /// Derives the phase ψ at which the cosine pulse has a share λ of its amplitude.
-Derivation phase_of_cosine();
+mechanics::Derivation phase_of_cosine();
 
 /// Adds the derivations of (97) to (104), and of results of our own.
-void derive_initial_conditions(Derivations& rows);
+void derive_initial_conditions(paper::Derivations& rows);
 
 }  // namespace rederive::rocking_block

@@ -16,9 +16,9 @@ GiNaC::ex first_friction_demand();
 GiNaC::ex slope_of_diagonal();
 
 /// Derives ü_g(0) = g tan α for a ground acceleration that grows from zero.
-Derivation first_acceleration();
+mechanics::Derivation first_acceleration();
 
 /// Adds the derivations of (23) to (33).
-void derive_initiation(Derivations& rows);
+void derive_initiation(paper::Derivations& rows);
 
 }  // namespace rederive::rocking_block

@@ -13,25 +13,25 @@ namespace rederive::rocking_block {
 enum class Side { negative, positive };
 
 /// Returns the rates along any motion of block and ground: θ → θ̇ → θ̈ and u_g → u̇_g → ü_g.
-Rates block_rates();
+mechanics::Rates block_rates();
 /// Returns b = R sin α and h = R cos α.
-std::vector<Given> sides_of_the_block();
+std::vector<language::Given> sides_of_the_block();
 
 /// Returns C as seen from the pivot, at distance R and inclined by α ± θ, to the right of O or to the left of
 /// O'.
-Vector centre_from_pivot(Side side);
+mechanics::Vector centre_from_pivot(Side side);
 /// Returns the displacement of C relative to the ground since rest.
-Vector centre_displacement(Side side);
+mechanics::Vector centre_displacement(Side side);
 /// Returns the velocity of C; the pivot moves with the ground.
-Vector centre_velocity(Side side);
+mechanics::Vector centre_velocity(Side side);
 /// Returns the acceleration of C.
-Vector centre_acceleration(Side side);
+mechanics::Vector centre_acceleration(Side side);
 
 /// Derive (4a) or (15a), and (4b) or (15b).
-Derivation horizontal_velocity(Side side);
-Derivation vertical_velocity(Side side);
+mechanics::Derivation horizontal_velocity(Side side);
+mechanics::Derivation vertical_velocity(Side side);
 
 /// Adds the derivations of (2) to (4), (12), (13), (15).
-void derive_kinematics(Derivations& rows);
+void derive_kinematics(paper::Derivations& rows);
 
 }  // namespace rederive::rocking_block

@@ -9,20 +9,20 @@ namespace rederive::rocking_block {
 
 /// Returns the amplitude a_p for which the linear block, at rest and upright, is about to move at t = 0: α
 /// g/sin ψ or α g/cos ψ.
-Given amplitude(Pulse pulse);
+language::Given amplitude(Pulse pulse);
 /// Returns e with that amplitude in place of a_p.
 GiNaC::ex with_amplitude(const GiNaC::ex& e, Pulse pulse);
 
 /// Returns (21a) or (21b) to first order in α, θ and a_p/g: (56a), (56b), (61a), (61b) or (97).
-LinearEquation linear_equation(Side side, Pulse pulse);
+mechanics::LinearEquation linear_equation(Side side, Pulse pulse);
 /// Returns the same under the ground acceleration `ground`, an expression in t that is proportional to a_p.
-LinearEquation linear_equation_under(Side side, const GiNaC::ex& ground);
+mechanics::LinearEquation linear_equation_under(Side side, const GiNaC::ex& ground);
 /// Returns θ(t) with the constants of the paper: A_1 sinh p t + A_2 cosh p t + … for θ < 0, A_3 and A_4 for θ
 /// > 0.
 GiNaC::ex forced_motion(Side side, Pulse pulse);
 /// Returns the values of these constants for θ(0) = theta_0 and θ̇(0) = thetadot_0, with the amplitude: (58),
 /// (100).
-Constants forced_constants(Side side, Pulse pulse);
+mechanics::Constants forced_constants(Side side, Pulse pulse);
 /// Returns θ(t) under the pulse for any amplitude a_p, from theta_0 and thetadot_0 at t = 0, without names of
 /// constants.
 GiNaC::ex linear_response(Side side, Pulse pulse);
@@ -30,7 +30,7 @@ GiNaC::ex linear_response(Side side, Pulse pulse);
 /// difference of large terms: cosh p t − 1 = 2 sinh²(p t/2), cos ω_p t − 1 = −2 sin²(ω_p t/2) …
 GiNaC::ex by_half_phases(const GiNaC::ex& response);
 /// Returns the names of the constants of free motion: Abar_1, Abar_2 or Abar_3, Abar_4.
-Constants free_names(Side side);
+mechanics::Constants free_names(Side side);
 /// Returns θ(t) of free motion from t_o on: Abar_1 sinh p(t − t_o) + Abar_2 cosh p(t − t_o) − α, or the same
 /// with Abar_3, Abar_4 and + α.
 GiNaC::ex free_motion(Side side);
@@ -40,10 +40,10 @@ GiNaC::ex growing_part(const GiNaC::ex& free_motion, const GiNaC::ex& start);
 
 /// Return the derivations of the constants of the forced motion, (58), and of the free one, (64): of the
 /// factor of sinh if `first`, else of the factor of cosh.
-Derivation forced_constant(Side side, bool first);
-Derivation free_constant(Side side, bool first);
+mechanics::Derivation forced_constant(Side side, bool first);
+mechanics::Derivation free_constant(Side side, bool first);
 
 /// Adds the derivations of (56) to (64).
-void derive_linear_response(Derivations& rows);
+void derive_linear_response(paper::Derivations& rows);
 
 }  // namespace rederive::rocking_block

@@ -21,10 +21,10 @@ GiNaC::ex overturning_impact_after_pulse();
 
 /// Returns the time of the impact after the pulse that leads to the threshold, by (92a) and (96); it must not
 /// lie before T_ex.
-Derivation time_of_critical_impact();
+mechanics::Derivation time_of_critical_impact();
 
 /// Add the derivations of (79) to (88), and of (89) to (96) with results of our own.
-void derive_overturning_impact_during_pulse(Derivations& rows);
-void derive_overturning_impact_after_pulse(Derivations& rows);
+void derive_overturning_impact_during_pulse(paper::Derivations& rows);
+void derive_overturning_impact_after_pulse(paper::Derivations& rows);
 
 }  // namespace rederive::rocking_block

@@ -2,6 +2,9 @@
 #include <derivations/rocking_block/overturning_after_one_impact.hpp>
 
 namespace rederive::rocking_block {
+using namespace language;
+using namespace mechanics;
+using namespace paper;
 
 using GiNaC::ex;
 using GiNaC::lst;

@@ -14,8 +14,8 @@ struct ThresholdEquation {
 /// Returns the condition for the critical motion of a block that starts with theta_0 and thetadot_0 at t = 0
 /// and is still on that side at the time `end`: (71), (78), (103), (104), in ψ, ω_p, p and α. The ground
 /// acceleration is `ground`, an expression in t, until `end`, and 0 after it; `amplitude` says what a_p is.
-ThresholdEquation threshold_without_impact(Side side, const GiNaC::ex& ground, const Given& amplitude,
-                                           const GiNaC::ex& end);
+ThresholdEquation threshold_without_impact(Side side, const GiNaC::ex& ground,
+                                           const language::Given& amplitude, const GiNaC::ex& end);
 /// Returns the condition under the one-sine or one-cosine pulse of the paper.
 ThresholdEquation threshold_without_impact(Side side, Pulse pulse);
 
@@ -37,11 +37,11 @@ GiNaC::ex by_phase(const GiNaC::ex& e);
 /// Returns the expression with exponentials in place of sinh and cosh.
 GiNaC::ex in_exponentials(const GiNaC::ex& e);
 
-Derivation equation_68();
-Derivation equation_70a();
-Derivation equation_70b();
+mechanics::Derivation equation_68();
+mechanics::Derivation equation_70a();
+mechanics::Derivation equation_70b();
 
 /// Adds the derivations of (65) to (78).
-void derive_overturning_without_impact(Derivations& rows);
+void derive_overturning_without_impact(paper::Derivations& rows);
 
 }  // namespace rederive::rocking_block

@@ -9,6 +9,8 @@
 #include <derivations/rocking_block/sliding.hpp>
 
 namespace rederive::rocking_block {
+using namespace program;
+using namespace paper;
 
 namespace {
 

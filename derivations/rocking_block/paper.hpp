@@ -6,6 +6,6 @@
 namespace rederive::rocking_block {
 
 /// The paper, built on the first call.
-const Paper& paper();
+const paper::Paper& paper();
 
 }  // namespace rederive::rocking_block

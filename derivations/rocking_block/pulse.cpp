@@ -2,6 +2,8 @@
 #include <derivations/rocking_block/pulse.hpp>
 
 namespace rederive::rocking_block {
+using namespace mechanics;
+using namespace paper;
 
 using GiNaC::ex;
 

@@ -15,10 +15,10 @@ GiNaC::ex ground_acceleration(Pulse pulse);
 GiNaC::ex end_of_pulse(Pulse pulse);
 
 /// Derive the phase ψ at which a pulse begins with a share λ of its amplitude, and the time at which it ends.
-Derivation equation_53c();
-Derivation end_of_sine_pulse();
+mechanics::Derivation equation_53c();
+mechanics::Derivation end_of_sine_pulse();
 
 /// Adds the derivations of (52) to (55).
-void derive_pulse(Derivations& rows);
+void derive_pulse(paper::Derivations& rows);
 
 }  // namespace rederive::rocking_block

@@ -2,6 +2,9 @@
 #include <derivations/rocking_block/sliding.hpp>
 
 namespace rederive::rocking_block {
+using namespace language;
+using namespace mechanics;
+using namespace paper;
 
 using GiNaC::ex;
 using GiNaC::lst;

@@ -11,6 +11,6 @@ GiNaC::ex horizontal_reaction(Side side);
 GiNaC::ex vertical_reaction(Side side);
 
 /// Adds the derivations of (47) to (51), and results of our own.
-void derive_sliding(Derivations& rows);
+void derive_sliding(paper::Derivations& rows);
 
 }  // namespace rederive::rocking_block

@@ -10,7 +10,7 @@ namespace rederive::rocking_block {
 // clang-format off
 
 // Physical constants and the block
-inline const Symbol
+inline const language::Symbol
     m{"m", "m", "m", "kg", "(0, inf)", "mass of the block", "Fig. 1"},
     J_c{"J_c", "J_c", "J_c", "kg*m^2", "(0, inf)", "moment of inertia about the centre of mass C", "(5)"},
     J_o{"J_o", "J_o", "J_o", "kg*m^2", "(0, inf)", "moment of inertia about the pivot O or O'", "(6)"},
@@ -24,7 +24,7 @@ inline const Symbol
     lambda{"lambda", "\\lambda", "λ", "1", "(0, inf)", "ground acceleration at the start over its amplitude", "(25)"};
 
 // Energies, forces, momenta
-inline const Symbol
+inline const language::Symbol
     K{"K", "K", "K", "kg*m^2/s^2", "[0, inf)", "kinetic energy", "(1)"},
     Omega{"Omega", "\\Omega", "Ω", "kg*m^2/s^2", "(-inf, inf)", "potential of the weight", "(1)"},
     V_s{"V_s", "V_s", "V_s", "kg*m^2/s^2", "[0, inf)", "a strain energy, printed V in the sentence before (22)", "(22)"},
@@ -54,7 +54,7 @@ inline const Symbol
     Ex_cross_ey{"Ex_cross_ey", "(E_x\\times e_y)_z", "(E_x×e_y)_z", "1", "(-inf, inf)", "component along e_z", "(37b)"};
 
 // Constants of integration
-inline const Symbol
+inline const language::Symbol
     A_1{"A_1", "A_1", "A₁", "1", "(-inf, inf)", "constant of the forced linear motion, θ < 0", "(57a)"},
     A_2{"A_2", "A_2", "A₂", "1", "(-inf, inf)", "constant of the forced linear motion, θ < 0", "(57a)"},
     A_3{"A_3", "A_3", "A₃", "1", "(-inf, inf)", "constant of the forced linear motion, θ > 0", "(57b)"},
@@ -67,7 +67,7 @@ inline const Symbol
     c_2{"c_2", "c_2", "c₂", "1", "(-inf, inf)", "constant of the free motion after the impact", "(93a)"};
 
 // Frequencies, amplitude, times
-inline const Symbol
+inline const language::Symbol
     alpha{"alpha", "\\alpha", "α", "1", "(0, pi/2)", "angle of the diagonal from the vertical, atan(b/h)", "Fig. 1"},
     a_p{"a_p", "\\alpha_p", "α_p", "m/s^2", "(0, inf)", "amplitude of the ground acceleration", "(24)"},
     a_p_min{"a_p_min", "\\alpha_{p,min}", "α_p,min", "m/s^2", "(0, inf)", "the smallest amplitude that makes the block rock", "(24)"},
@@ -81,7 +81,7 @@ inline const Symbol
     psi{"psi", "\\psi", "ψ", "1", "(0, pi)", "phase of the pulse at t = 0; beyond π/2 only in (78)", "(52)"};
 
 // Motion of the ground and of the centre of mass
-inline const Symbol
+inline const language::Symbol
     u_g{"u_g", "u_g", "u_g", "m", "(-inf, inf)", "displacement of the ground", "(2)"},
     u_gdot{"u_gdot", "\\dot u_g", "u̇_g", "m/s", "(-inf, inf)", "velocity of the ground", "(4)"},
     u_gddot{"u_gddot", "\\ddot u_g", "ü_g", "m/s^2", "(-inf, inf)", "acceleration of the ground", "(7b)"},
@@ -98,7 +98,7 @@ inline const Symbol
     u_cddot{"u_cddot", "\\ddot u_c", "ü_c", "m/s^2", "(-inf, inf)", "its second rate", "(4)"};
 
 // Rotation
-inline const Symbol
+inline const language::Symbol
     theta{"theta", "\\theta", "θ", "1", "(-pi/2, pi/2)", "angle of rotation", "Fig. 2"},
     thetadot{"thetadot", "\\dot\\theta", "θ̇", "1/s", "(-inf, inf)", "angular velocity", "(1)"},
     thetaddot{"thetaddot", "\\ddot\\theta", "θ̈", "1/s^2", "(-inf, inf)", "angular acceleration", "(7b)"},
@@ -120,14 +120,14 @@ inline const Symbol
     thetadot_star{"thetadot_star", "\\dot\\theta_*", "θ̇_*", "1/s", "(-inf, inf)", "angular velocity at t_star", "(60)"};
 
 // Integrals over the body
-inline const Symbol
+inline const language::Symbol
     x{"x", "x", "x", "m", "(-inf, inf)", "coordinate along the base", "(36)"},
     y{"y", "y", "y", "m", "(-inf, inf)", "coordinate along the height", "(36)"},
     r{"r", "r", "r", "m", "(0, inf)", "distance from the pivot", "(36)"},
     phi{"phi", "\\phi", "φ", "1", "(-inf, inf)", "angle of a point of the body seen from the pivot", "(36)"};
 
 /// Returns all of them, in the order in which products and sums are printed.
-inline std::vector<Symbol> all_symbols() {
+inline std::vector<language::Symbol> all_symbols() {
   return {
       m, J_c, J_o, g, R, b, h, rho, mu, e, lambda, K, Omega, V_s, U, E, E_L, V, H, V_0, H_0, dK_dthetadot,
       ddt_dK_dthetadot, dK_dtheta, dOmega_dtheta, HO_minus, HO_plus, hO_minus, hO_plus, integral_41, d, dm,

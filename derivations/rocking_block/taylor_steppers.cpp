@@ -8,6 +8,9 @@
 #include <stdexcept>
 
 namespace rederive::rocking_block {
+using namespace language;
+using namespace mechanics;
+using namespace emit;
 
 namespace {
 

@@ -9,7 +9,9 @@
 #include <memory>
 #include <set>
 
-namespace rederive {
+namespace rederive::sign {
+using namespace numbers;
+using namespace identity;
 
 using cln::cl_RA;
 
@@ -258,4 +260,4 @@ std::optional<std::vector<cl_RA>> nonnegative_solution(const std::vector<std::ve
   return result;
 }
 
-}  // namespace rederive
+}  // namespace rederive::sign

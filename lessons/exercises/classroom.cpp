@@ -9,6 +9,7 @@
 #include <lessons/exercises/working.hpp>
 
 namespace rederive::classroom {
+using namespace program;
 namespace {
 
 bool is_done(Status status) { return status == Status::solved || status == Status::given_up; }

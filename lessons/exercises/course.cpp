@@ -6,6 +6,11 @@
 #include <stdexcept>
 
 namespace rederive::classroom {
+using namespace language;
+using namespace numbers;
+using namespace mechanics;
+using namespace paper;
+using namespace page;
 namespace {
 
 using GiNaC::ex;
@@ -129,7 +134,7 @@ Answer resolve(const Reference& reference, Kind kind, const Course& course) {
   Tree with_numbers = answer.relation.sides[0];
   for (const auto& [name, text] : reference.put) {
     answer.values.emplace_back(name, parse(text, symbols));
-    with_numbers = rederive::put_in(with_numbers, name, parse(text, symbols));
+    with_numbers = language::put_in(with_numbers, name, parse(text, symbols));
   }
   answer.way.emplace_back(
       "With the numbers, " + in_words(reference.put) + ":",

@@ -20,15 +20,15 @@ struct NumericFunction {
   std::vector<Argument> arguments;
   double (*value)(const Arguments& arguments);
   /// Writes how the value comes about.
-  void (*explain)(const Arguments& arguments, Page& page);
+  void (*explain)(const Arguments& arguments, page::Page& page);
 };
 
 struct Course {
-  const Paper& paper;
+  const paper::Paper& paper;
   /// What names stand for wherever they are used: an answer may use either.
-  std::vector<Given> definitions = {};
+  std::vector<language::Given> definitions = {};
   /// Derivations that exercises name and that the paper does not have.
-  Derivations derivations = {};
+  paper::Derivations derivations = {};
   std::vector<NumericFunction> functions = {};
 };
 
@@ -39,7 +39,7 @@ const NumericFunction& function_named(const std::string& name, const Course& cou
 void check_arguments(const NumericFunction& function, const Arguments& arguments);
 /// Adds to `given` the definitions whose names and values use only the symbols in `at_hand`, but never that
 /// of `asked_for`, the name of the answer.
-void add_definitions(std::vector<Given>& given, const std::set<std::string>& at_hand,
+void add_definitions(std::vector<language::Given>& given, const std::set<std::string>& at_hand,
                      const std::string& asked_for, const Course& course);
 
 /// What an exercise asks for.
@@ -62,17 +62,17 @@ struct Reference {
 
 /// What a reference comes to: a relation (one side alone for an expression), or a number.
 struct Answer {
-  Relation relation;
-  std::vector<Given> given;
+  language::Relation relation;
+  std::vector<language::Given> given;
   double number = 0;
   /// What was done from the derivation on, with what came of it.
-  std::vector<std::pair<std::string, Relation>> way;
+  std::vector<std::pair<std::string, language::Relation>> way;
   /// What is substituted into the relation, an expression, to get the number.
-  std::vector<std::pair<std::string, Tree>> values;
+  std::vector<std::pair<std::string, language::Tree>> values;
 };
 
 /// Returns the derivation that a reference names. Throws std::out_of_range if there is none.
-Derivation derivation_for(const Reference& reference, const Course& course);
+mechanics::Derivation derivation_for(const Reference& reference, const Course& course);
 /// Computes the answer to an exercise of that kind. Throws std::runtime_error if the reference gives none.
 Answer resolve(const Reference& reference, Kind kind, const Course& course);
 

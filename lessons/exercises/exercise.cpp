@@ -8,6 +8,9 @@
 #include <lessons/exercises/units.hpp>
 
 namespace rederive::classroom {
+using namespace language;
+using namespace numbers;
+using namespace program;
 namespace {
 
 using Words = std::vector<std::string>;

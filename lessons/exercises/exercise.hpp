@@ -54,8 +54,8 @@ struct Exercise {
   std::string seed;   ///< of the variant
   std::string place;  ///< "FILE:LINE" of its table; empty for a step of a working
 
-  const Paper& paper() const { return course->paper; }
-  const Symbols& language() const { return course->paper.symbols; }  ///< in which answers are read
+  const paper::Paper& paper() const { return course->paper; }
+  const language::Symbols& language() const { return course->paper.symbols; }  ///< in which answers are read
   bool asks_for_formula() const { return kind == Kind::expression || kind == Kind::equation; }
 };
 

@@ -11,6 +11,11 @@
 #include <thread>
 
 namespace rederive::classroom {
+using namespace language;
+using namespace numbers;
+using namespace decide;
+using namespace program;
+using namespace paper;
 namespace {
 
 namespace fs = std::filesystem;

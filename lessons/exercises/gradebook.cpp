@@ -11,6 +11,9 @@
 #include <regex>
 
 namespace rederive::classroom {
+using namespace numbers;
+using namespace program;
+using namespace paper;
 namespace {
 
 using Cells = std::vector<std::string>;

@@ -15,6 +15,9 @@
 #include <set>
 
 namespace rederive::classroom {
+using namespace language;
+using namespace program;
+using namespace paper;
 namespace {
 
 namespace fs = std::filesystem;

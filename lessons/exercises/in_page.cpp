@@ -16,6 +16,11 @@
 #include <nlohmann/json.hpp>
 
 namespace rederive::classroom {
+using namespace language;
+using namespace decide;
+using namespace program;
+using namespace paper;
+using namespace page;
 namespace {
 
 std::string in_html(const Paper& paper, const std::vector<Passage>& passages) {

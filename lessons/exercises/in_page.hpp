@@ -15,9 +15,9 @@ std::string cut(const std::string& text, std::size_t most);
 std::string as_code(const std::string& text, std::size_t most = 2000);
 /// Returns the paragraphs of a text with marks as sentences. One with a formula that cannot be read is plain
 /// text.
-std::vector<std::string> sentences_of(const std::string& text, const Symbols& symbols);
+std::vector<std::string> sentences_of(const std::string& text, const language::Symbols& symbols);
 /// Returns what the judge says of an answer.
-Findings verdict_findings(const Opinion& opinion, const Symbols& symbols);
+page::Findings verdict_findings(const Opinion& opinion, const language::Symbols& symbols);
 
 /// Returns the forms of all exercises, and the script that serves them, as the option --forms of a lesson
 /// reads them.

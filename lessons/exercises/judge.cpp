@@ -10,6 +10,10 @@
 #include <regex>
 
 namespace rederive::classroom {
+using namespace language;
+using namespace decide;
+using namespace program;
+using namespace paper;
 namespace {
 
 /// Returns "c" or "3" for "(C)", "[3]", "term 3" or "c."; "" for anything else. `what` is a regular
@@ -47,7 +51,7 @@ Opinion judge_option(const Prepared& prepared, const std::string& text) {
 std::size_t term_like(const std::string& text, const std::vector<Tree>& terms, const Symbols& symbols) {
   const Relation read{{parse(text, symbols)}, {}};
   for (std::size_t i = 0; i < terms.size(); ++i)
-    if (decide(read, Relation{{terms[i]}, {}}, symbols).verdict == Verdict::proved) return i + 1;
+    if (decide::decide(read, Relation{{terms[i]}, {}}, symbols).verdict == Verdict::proved) return i + 1;
   return 0;
 }
 

@@ -7,6 +7,10 @@
 #include <lessons/page/prose.hpp>
 
 namespace rederive::classroom {
+using namespace language;
+using namespace decide;
+using namespace paper;
+using namespace page;
 namespace {
 
 /// Returns the byte at which the text of a tree has the symbol.

@@ -7,14 +7,14 @@ namespace rederive::classroom {
 
 /// Reads the statement to judge. Of "y_c = ..." this is the right side, if an expression is asked for and y_c
 /// is its name. Throws SyntaxError.
-Relation read_answer(const Exercise& exercise, const std::string& text);
+language::Relation read_answer(const Exercise& exercise, const std::string& text);
 /// Returns whether this is the name of what the exercise asks for, in any order of its factors.
-bool is_asked_for(const Exercise& exercise, const Tree& left);
+bool is_asked_for(const Exercise& exercise, const language::Tree& left);
 /// Throws SyntaxError unless the relation may follow that name: =, or the bound of the exercise, strict or
 /// not.
 void check_relation(const Exercise& exercise, const std::string& relation);
 
 Opinion judge_formula(const Prepared& prepared, const std::string& text);
-Opinion judge_formula(const Prepared& prepared, const Relation& read);
+Opinion judge_formula(const Prepared& prepared, const language::Relation& read);
 
 }  // namespace rederive::classroom

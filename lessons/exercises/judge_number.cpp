@@ -9,6 +9,10 @@
 #include <regex>
 
 namespace rederive::classroom {
+using namespace language;
+using namespace numbers;
+using namespace mechanics;
+using namespace paper;
 namespace {
 
 using std::numbers::pi;

@@ -4,6 +4,9 @@
 #include <nlohmann/json.hpp>
 
 namespace rederive::classroom {
+using namespace language;
+using namespace decide;
+using namespace paper;
 namespace {
 
 struct OutcomeWords {

@@ -25,7 +25,7 @@ struct Opinion {
   std::string hint = {};  ///< for a student who asks for one after this answer; "" if there is none for it
   std::string read_as = {};
   bool shows_place = false;  ///< the feedback has lines with a caret below the place, and is no sentence
-  std::optional<Witness> witness = {};
+  std::optional<decide::Witness> witness = {};
   int line = 0;  ///< of a working: the line that is meant
 };
 
@@ -37,7 +37,7 @@ Opinion wrong_answer(const Note& note, const std::string& feedback);
 Opinion wrong_answer(Slip slip);
 Opinion half_right(Outcome outcome, Opinion opinion);
 Opinion invalid(const Note& note, const std::string& feedback);
-Opinion invalid(const SyntaxError& error, const std::string& text);
+Opinion invalid(const language::SyntaxError& error, const std::string& text);
 Opinion refused(Trouble trouble);
 Opinion undecided(const std::string& reason);
 

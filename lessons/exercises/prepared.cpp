@@ -14,6 +14,12 @@
 #include <stdexcept>
 
 namespace rederive::classroom {
+using namespace language;
+using namespace numbers;
+using namespace decide;
+using namespace program;
+using namespace paper;
+using namespace page;
 namespace {
 
 /// Returns the option whose claim the engine or the ledger confirms.
@@ -26,8 +32,8 @@ std::size_t right_option(const Prepared& prepared) {
     if (!exercise.answer.row.empty()) {
       holds = claim == to_string(judged(exercise.paper(), exercise.answer.row).proof.verdict);
     } else {
-      holds = is_right(decide(parse_statement(claim, prepared.symbols), prepared.answer.relation,
-                              prepared.symbols, prepared.answer.given)
+      holds = is_right(decide::decide(parse_statement(claim, prepared.symbols), prepared.answer.relation,
+                                      prepared.symbols, prepared.answer.given)
                            .verdict);
     }
     if (holds) right.push_back(i + 1);
@@ -103,7 +109,7 @@ void add_formulas(Prepared& prepared) {
   for (const auto& assumption : exercise.assumptions) {
     Relation relation = prepared.answer.relation;
     for (const auto& [name, value] : assumption.put)
-      relation = rederive::put_in(relation, name, parse(value, prepared.symbols));
+      relation = decide::put_in(relation, name, parse(value, prepared.symbols));
     add(relation, half_right(Outcome::correct_if, wrong_answer(Slip::assumption, assumption.says)));
   }
 }
@@ -139,7 +145,7 @@ void for_each_slip(const Tree& formula, const Paper& paper, const Take& take) {
   }
   for (const auto& [first, last] : runs_of(formula))
     take(with_flipped(formula, first, last), Slip::reciprocal);
-  take(rederive::put_in(formula, "pi", number("180")), Slip::degrees);
+  take(language::put_in(formula, "pi", number("180")), Slip::degrees);
 }
 
 /// Adds what comes of a number by the slips of a pen in its formula, or in the values that are put into it.
@@ -271,7 +277,7 @@ std::optional<Signature> signature_of(const Prepared& prepared, const Relation& 
 }
 
 Proof proof_of(const Prepared& prepared, const Relation& read, const Relation& against) {
-  return decide(read, against, prepared.symbols, prepared.answer.given, prepared.assumed);
+  return decide::decide(read, against, prepared.symbols, prepared.answer.given, prepared.assumed);
 }
 
 double allowance(double right, int digits) {

@@ -14,7 +14,7 @@ namespace rederive::classroom {
 /// A wrong answer to compare with: a formula, or a number.
 struct Road {
   Opinion opinion;  ///< on an answer that is the same
-  Relation relation = {};
+  language::Relation relation = {};
   std::optional<Signature> signature = {};
   double number = 0;
   /// To how many digits a number is recognised. 0: to those asked for, and to those typed if they are more.
@@ -24,30 +24,32 @@ struct Road {
 struct Prepared {
   Exercise exercise;
   Answer answer;
-  std::vector<Point> points;
+  std::vector<numbers::Point> points;
   std::optional<Signature> signature;
-  Symbols symbols;                ///< of the paper, with the ranges that the exercise gives
-  std::vector<Relation> assumed;  ///< what else it gives: relations between symbols
-  std::optional<Sieve> sieve;     ///< of a formula
-  std::vector<Road> roads;        ///< listed slips, then assumptions, then other slips in a number
-  std::size_t choice = 0;         ///< the right option or term, from 1
+  language::Symbols symbols;                ///< of the paper, with the ranges that the exercise gives
+  std::vector<language::Relation> assumed;  ///< what else it gives: relations between symbols
+  std::optional<Sieve> sieve;               ///< of a formula
+  std::vector<Road> roads;                  ///< listed slips, then assumptions, then other slips in a number
+  std::size_t choice = 0;                   ///< the right option or term, from 1
 };
 
 /// Computes the answer. Throws BadInput, with file, line and exercise, if its data do not fit together.
 Prepared prepare(const Exercise& exercise);
 /// Returns a step of a working as an exercise of its own: to say `before` in another way, as `after` does.
-Prepared prepare_step(const Prepared& whole, const Relation& before, const Relation& after);
+Prepared prepare_step(const Prepared& whole, const language::Relation& before,
+                      const language::Relation& after);
 /// Returns only the exercise of that step.
-Exercise step_of(const Exercise& whole, const Relation& before, const Relation& after);
+Exercise step_of(const Exercise& whole, const language::Relation& before, const language::Relation& after);
 
 /// Returns the right answer in our syntax, as a number with its unit, or as a letter.
 std::string model_answer(const Prepared& prepared);
 /// Returns the values by which a statement is compared with others.
-std::optional<Signature> signature_of(const Prepared& prepared, const Relation& statement);
+std::optional<Signature> signature_of(const Prepared& prepared, const language::Relation& statement);
 /// Decides whether two statements of an exercise say the same.
-Proof proof_of(const Prepared& prepared, const Relation& read, const Relation& against);
+decide::Proof proof_of(const Prepared& prepared, const language::Relation& read,
+                       const language::Relation& against);
 /// Returns whether a verdict is that of a right answer.
-bool is_right(Verdict verdict);
+bool is_right(decide::Verdict verdict);
 /// Returns by how much a value may differ from `right`: half a unit of the last of so many digits.
 double allowance(double right, int digits);
 /// Returns what a slip in a number looks like. It never says that the slip was made, because other mistakes

@@ -9,6 +9,11 @@
 #include <set>
 
 namespace rederive::classroom {
+using namespace language;
+using namespace numbers;
+using namespace decide;
+using namespace paper;
+using namespace page;
 namespace {
 
 using NodeKind = Node::Kind;
@@ -265,7 +270,7 @@ class Search {
       offer({.relation = relation, .slip = slip, .part = part, .other = other}, nullptr);
     };
     const auto put = [&](const Tree& part, const Tree& value, Slip slip) {
-      all([&](const Tree& side) { return rederive::put_in(side, part, value); }, slip, part);
+      all([&](const Tree& side) { return language::put_in(side, part, value); }, slip, part);
     };
     const auto functions = [](const std::function<Tree(const Tree&)>& change) {
       return [change](const Tree& side) { return with_functions(side, change); };
@@ -293,7 +298,7 @@ class Search {
         if (other > name && names.contains(other))
           all(
               [&](const Tree& side) {
-                const Tree apart = rederive::put_in(side, part, symbol(Sieve::unknown));
+                const Tree apart = language::put_in(side, part, symbol(Sieve::unknown));
                 return put_in(put_in(apart, other, part), Sieve::unknown, symbol(other));
               },
               Slip::exchanged, part, symbol(other));

@@ -11,18 +11,19 @@ namespace rederive::classroom {
 
 /// A wrong answer with one part changed.
 struct Repair {
-  Relation relation;     ///< the answer after the change
-  Slip slip;             ///< that the change undoes
-  Tree part;             ///< what was changed, as typed; nullptr if it is the whole answer
-  Tree other = nullptr;  ///< what was exchanged with the part
-  Tree term = nullptr;   ///< that contains the part, if the same part is in others, too
+  language::Relation relation;     ///< the answer after the change
+  Slip slip;                       ///< that the change undoes
+  language::Tree part;             ///< what was changed, as typed; nullptr if it is the whole answer
+  language::Tree other = nullptr;  ///< what was exchanged with the part
+  language::Tree term = nullptr;   ///< that contains the part, if the same part is in others, too
 };
 
 /// Tries every single change, the plainest first, and passes those that the sieve lets through to `accept`,
 /// until it returns true. `forms` of the right answer lend their terms and factors for what is missing.
 /// Returns nothing for an answer of more than 150 parts.
-std::optional<Repair> repaired(const Relation& answer, const std::vector<Relation>& forms, const Sieve& sieve,
-                               const Exercise& exercise, const std::function<bool(const Repair&)>& accept);
+std::optional<Repair> repaired(const language::Relation& answer, const std::vector<language::Relation>& forms,
+                               const Sieve& sieve, const Exercise& exercise,
+                               const std::function<bool(const Repair&)>& accept);
 
 /// Returns what to say to the student: the part, and what is wrong with it.
 std::string in_words(const Repair& repair);

@@ -9,6 +9,11 @@
 #include <set>
 
 namespace rederive::classroom {
+using namespace language;
+using namespace decide;
+using namespace program;
+using namespace paper;
+using namespace page;
 namespace {
 
 struct Complaints {
@@ -50,8 +55,9 @@ void check_given(const Prepared& prepared, Complaints& findings) {
   for (const auto& text : texts)
     for (const auto& span : spans(text)) {
       if (span.kind != Span::Kind::math || span.text.find_first_of("<>") == std::string::npos) continue;
-      const Proof proof = decide(parse_statement(span.text, prepared.symbols), parse_relation("0 < 1", {}),
-                                 prepared.symbols, prepared.answer.given, prepared.assumed);
+      const Proof proof =
+          decide::decide(parse_statement(span.text, prepared.symbols), parse_relation("0 < 1", {}),
+                         prepared.symbols, prepared.answer.given, prepared.assumed);
       findings.check(is_right(proof.verdict), span.text + " is said but not given");
     }
 }

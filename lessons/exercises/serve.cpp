@@ -16,6 +16,10 @@
 #include <random>
 
 namespace rederive::classroom {
+using namespace language;
+using namespace numbers;
+using namespace program;
+using namespace page;
 namespace {
 
 /// Returns the page of a lesson with the forms of its exercises, as its program writes it. The page is kept;

@@ -9,6 +9,11 @@
 #include <lessons/page/prose.hpp>
 
 namespace rederive::classroom {
+using namespace language;
+using namespace decide;
+using namespace program;
+using namespace paper;
+using namespace page;
 namespace {
 
 std::string symbol_table(const Exercise& exercise) {

@@ -15,7 +15,8 @@ void say(const std::string& text);
 void say_json(const Json& document);
 
 /// Returns sentences with marks as lines of at most 80 columns.
-std::string readable(const std::string& sentences, const Symbols& symbols, const std::string& indent = "");
+std::string readable(const std::string& sentences, const language::Symbols& symbols,
+                     const std::string& indent = "");
 /// Returns what is asked for, "to 3 significant digits", and an answer to another question.
 std::string form_in_words(const Exercise& exercise);
 std::string default_example(const Exercise& exercise);
@@ -24,7 +25,7 @@ std::string pivot_in_words(const Exercise& exercise);
 /// Returns what a command must be given: the id, and the seed of a variant.
 std::string id_and_seed(const Exercise& exercise);
 /// Returns where a witness is: "R = 3, alpha = 0.2".
-std::string place_of(const Witness& witness);
+std::string place_of(const decide::Witness& witness);
 
 /// Returns the statement with all that is needed to answer it.
 std::string presentation(const Exercise& exercise);
@@ -33,7 +34,7 @@ Json presentation_json(const Exercise& exercise);
 std::string report(const Exercise& exercise, const Opinion& opinion, bool lively);
 Json report_json(const Exercise& exercise, const Opinion& opinion);
 /// Returns how the answer comes about.
-Page way_to_answer(const Prepared& prepared);
+page::Page way_to_answer(const Prepared& prepared);
 /// Returns the same for a terminal; the last line is the answer, in the form that is asked for.
 std::string solution_text(const Prepared& prepared);
 

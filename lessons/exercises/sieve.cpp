@@ -9,6 +9,10 @@
 #include <numbers>
 
 namespace rederive::classroom {
+using namespace language;
+using namespace numbers;
+using namespace decide;
+using namespace paper;
 namespace {
 
 using NodeKind = Node::Kind;

@@ -12,25 +12,25 @@ namespace rederive::classroom {
 using RoughPoint = std::map<std::string, double, std::less<>>;
 
 /// Returns the value of a tree; NaN if it has none, or if a symbol is missing in `at`.
-double rough_value(const Tree& tree, const RoughPoint& at);
+double rough_value(const language::Tree& tree, const RoughPoint& at);
 /// Returns a number as a small fraction, of 1, π, π/180 or 180/π; nothing if it is not one.
-std::optional<Tree> plain_number(double value);
+std::optional<language::Tree> plain_number(double value);
 /// Returns whether a value is inside the range of a symbol.
-bool lies_in(const Symbol& symbol, double value);
+bool lies_in(const language::Symbol& symbol, double value);
 /// Returns whether relations of two sides hold at a point, inequalities strictly.
-bool holds(const std::vector<Relation>& relations, const RoughPoint& at);
+bool holds(const std::vector<language::Relation>& relations, const RoughPoint& at);
 
 /// A few points inside the ranges of the symbols, at which `assumed` holds, each with the value of the right
 /// expression; or points at which the right equation holds. The symbols of `given` have their values there.
 class Sieve {
  public:
-  Sieve(const Relation& right, const std::vector<Given>& given, const std::string& pivot,
-        const Symbols& symbols, const std::vector<Relation>& assumed);
+  Sieve(const language::Relation& right, const std::vector<language::Given>& given, const std::string& pivot,
+        const language::Symbols& symbols, const std::vector<language::Relation>& assumed);
   bool is_empty() const { return points_.empty(); }
   /// Returns whether a candidate agrees with the right answer at all points, to nine digits.
-  bool passes(const Relation& candidate) const;
+  bool passes(const language::Relation& candidate) const;
   /// Returns the number for the symbol `unknown` with which it does, if the answer is linear in that symbol.
-  std::optional<double> solved(const Relation& candidate) const;
+  std::optional<double> solved(const language::Relation& candidate) const;
   static constexpr const char* unknown = "?";
 
  private:

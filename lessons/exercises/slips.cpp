@@ -5,6 +5,7 @@
 #include <lessons/exercises/slips.hpp>
 
 namespace rederive::classroom {
+using namespace program;
 namespace {
 
 /// The stable words, in the order of Slip.

@@ -14,6 +14,8 @@
 #include <sstream>
 
 namespace rederive::classroom {
+using namespace language;
+using namespace program;
 namespace {
 
 struct TroubleWords {

@@ -13,6 +13,11 @@
 #include <set>
 
 namespace rederive::classroom {
+using namespace language;
+using namespace decide;
+using namespace program;
+using namespace paper;
+using namespace page;
 namespace {
 
 std::string words_of(std::string note) {

@@ -9,6 +9,11 @@
 #include <stdexcept>
 
 namespace rederive::classroom {
+using namespace language;
+using namespace numbers;
+using namespace decide;
+using namespace mechanics;
+using namespace paper;
 
 using namespace edits;
 
@@ -85,7 +90,7 @@ std::size_t wrong_term(const Relation& printed, const std::string& row, const Pa
   for (std::size_t i = 0; i < terms.size(); ++i)
     for (const auto& repair : repairs(terms[i], only_in(printed, right), only_in(right, printed), paper)) {
       const Proof proof =
-          decide(exchanged(printed, terms[i], repair), right, paper.symbols, derivation.given);
+          decide::decide(exchanged(printed, terms[i], repair), right, paper.symbols, derivation.given);
       if (proof.verdict != Verdict::proved) continue;
       found.push_back(i + 1);
       break;

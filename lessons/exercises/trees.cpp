@@ -6,6 +6,10 @@
 #include <regex>
 
 namespace rederive::classroom {
+using namespace language;
+using namespace numbers;
+using namespace decide;
+using namespace paper;
 namespace {
 
 std::optional<double> value(const Tree& tree, const Point& point) {
@@ -51,7 +55,7 @@ Tree put_in(const Tree& tree, const std::vector<Given>& given, const Symbols& sy
   for (int round = 0; round < 3; ++round)  // a value may hold a name that comes earlier in the list
     for (const auto& [name, value] : given)
       result =
-          rederive::put_in(result, GiNaC::ex_to<GiNaC::symbol>(name).get_name(), to_tree(value, symbols));
+          language::put_in(result, GiNaC::ex_to<GiNaC::symbol>(name).get_name(), to_tree(value, symbols));
   return result;
 }
 

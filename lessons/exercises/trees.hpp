@@ -11,31 +11,34 @@
 
 namespace rederive::classroom {
 
-using namespace edits;
+using namespace paper::edits;
 
 /// Returns what is printed with functions as students type them: abs, not fabs.
 std::string as_typed(const std::string& printed);
 
 /// Returns the tree or relation with each symbol of `given` replaced by its value.
-Tree put_in(const Tree& tree, const std::vector<Given>& given, const Symbols& symbols);
-Relation put_in(const Relation& relation, const std::vector<Given>& given, const Symbols& symbols);
+language::Tree put_in(const language::Tree& tree, const std::vector<language::Given>& given,
+                      const language::Symbols& symbols);
+language::Relation put_in(const language::Relation& relation, const std::vector<language::Given>& given,
+                          const language::Symbols& symbols);
 
 /// Returns `count` points, or fewer if they are hard to find, that give every symbol an exact value in its
 /// range, different values to the symbols in `names`, and at which `assumed` holds. Then the angles are
 /// multiplied by `angles`: the rotations θ, and the shape α unless `rotations_only`.
-std::vector<Point> sample_points(const std::set<std::string>& names, std::size_t count,
-                                 const Symbols& symbols, const std::vector<Relation>& assumed,
-                                 const cln::cl_RA& angles = 1, bool rotations_only = false);
+std::vector<numbers::Point> sample_points(const std::set<std::string>& names, std::size_t count,
+                                          const language::Symbols& symbols,
+                                          const std::vector<language::Relation>& assumed,
+                                          const cln::cl_RA& angles = 1, bool rotations_only = false);
 /// Returns whether all relations, of two sides each, certainly hold at a point.
-bool hold_at(const std::vector<Relation>& relations, const Point& point);
+bool hold_at(const std::vector<language::Relation>& relations, const numbers::Point& point);
 
 /// The values by which two statements are compared: those of an expression; or those of the symbol `pivot`
 /// that solve an equation, which must be linear in it; or, without a pivot, ratios of the residuals of an
 /// equation. Equal values are a reason to try a proof, and no proof.
 using Signature = std::vector<double>;
 /// Returns nothing if a value is undefined.
-std::optional<Signature> signature(const Relation& statement, const std::string& pivot,
-                                   const std::vector<Point>& points);
+std::optional<Signature> signature(const language::Relation& statement, const std::string& pivot,
+                                   const std::vector<numbers::Point>& points);
 bool alike(const Signature& left, const Signature& right);
 
 }  // namespace rederive::classroom

@@ -12,6 +12,12 @@
 #include <sstream>
 
 namespace rederive::classroom {
+using namespace language;
+using namespace numbers;
+using namespace decide;
+using namespace mechanics;
+using namespace paper;
+using namespace page;
 namespace {
 
 /// A unit: its name, its dimension in base units, and its size in those.
@@ -65,7 +71,7 @@ double as_number(const Tree& tree) {
 double base_value(const Tree& tree) {
   Tree sizes = tree;
   for (const auto& unit : units())
-    sizes = rederive::put_in(sizes, unit.name, parse(unit.factor, no_symbols()));
+    sizes = language::put_in(sizes, unit.name, parse(unit.factor, no_symbols()));
   (void)lower(sizes, no_symbols());  // refuses what is undefined at once, such as 1/0
   return as_number(sizes);
 }

@@ -8,9 +8,9 @@
 namespace rederive::classroom {
 
 struct Quantity {
-  double value = 0;                    ///< in SI units; angles in radians
-  std::optional<Dimension> dimension;  ///< nothing where no unit was typed
-  std::string read_as;                 ///< reads back as the same quantity
+  double value = 0;                               ///< in SI units; angles in radians
+  std::optional<mechanics::Dimension> dimension;  ///< nothing where no unit was typed
+  std::string read_as;                            ///< reads back as the same quantity
   int digits = 0;         ///< how many significant ones were typed; 0 if it is no plain decimal number
   bool in_turns = false;  ///< the unit is Hz, which counts whole turns
 };

@@ -9,6 +9,12 @@
 #include <regex>
 
 namespace rederive::classroom {
+using namespace language;
+using namespace numbers;
+using namespace decide;
+using namespace program;
+using namespace paper;
+using namespace page;
 
 std::size_t picked(const std::string& seed, const std::string& list, std::size_t count) {
   if (seed.empty()) return 0;
@@ -76,7 +82,7 @@ std::string value_of(const std::string& formula, const Choice& choice, const Sym
     if (!names_of(value).empty())
       throw std::runtime_error(
           fmt::format("{{{}}}: '{}' is '{}' here, which is not a number", formula, name, found->second));
-    tree = rederive::put_in(tree, name, value);
+    tree = language::put_in(tree, name, value);
   }
   const Value value = value_at(tree, {}, 90);
   const double number = value.is == Value::Is::certain ? value.ball().to_double() : NAN;

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace rederive {
+namespace rederive::program {
 class TomlTable;
 }
 
@@ -21,9 +21,9 @@ std::size_t picked(const std::string& seed, const std::string& list, std::size_t
 /// Returns the values of a range, "0.6:0.9:0.1" → "0.6", "0.7", "0.8", "0.9"; any other text alone.
 std::vector<std::string> values_of(const std::string& text);
 /// Chooses one entry of each list of the table `vary` of an exercise. Throws BadInput.
-Choice chosen(TomlTable& exercise, const std::string& id, const std::string& seed);
+Choice chosen(program::TomlTable& exercise, const std::string& id, const std::string& seed);
 /// Returns the text with {name} replaced by the choice, and {2*name} by its value to ten digits. Throws
 /// std::runtime_error or SyntaxError if a brace is left that cannot be filled in.
-std::string filled(const std::string& text, const Choice& choice, const Symbols& symbols);
+std::string filled(const std::string& text, const Choice& choice, const language::Symbols& symbols);
 
 }  // namespace rederive::classroom

@@ -15,6 +15,8 @@
 #include <set>
 
 namespace rederive::classroom {
+using namespace numbers;
+using namespace program;
 namespace {
 
 namespace fs = std::filesystem;

@@ -9,6 +9,12 @@
 #include <lessons/page/prose.hpp>
 
 namespace rederive::classroom {
+using namespace language;
+using namespace numbers;
+using namespace decide;
+using namespace mechanics;
+using namespace paper;
+using namespace page;
 namespace {
 
 /// Returns in which way the dimension of the answer is wrong; nothing if it is right.
@@ -180,9 +186,9 @@ cln::cl_RA small_number(const Symbol& symbol, int k) {
 Tree value_of(const Relation& statement, const std::string& pivot, const Point& point) {
   if (statement.operators.empty()) return statement.sides[0];
   const Tree residual = difference(statement.sides[0], statement.sides[1]);
-  const Tree at_0 = rederive::put_in(residual, pivot, number("0")),
-             at_1 = rederive::put_in(residual, pivot, number("1")),
-             at_2 = rederive::put_in(residual, pivot, number("2"));
+  const Tree at_0 = language::put_in(residual, pivot, number("0")),
+             at_1 = language::put_in(residual, pivot, number("1")),
+             at_2 = language::put_in(residual, pivot, number("2"));
   const Tree bend = sum(at_0, sum(at_2, product(number("2"), at_1), true));
   const Sign bent = sign_at(bend, number("0"), point);
   const bool is_linear = bent == Sign::zero || bent == Sign::unknown;
@@ -202,7 +208,7 @@ bool solve_on_the_way(const Relation& equation, const Symbol& symbol, Point& poi
     if (before == after || before > Sign::positive || after > Sign::positive) continue;
     Tree plain = residual;
     for (const auto& [name, value] : point)
-      if (name != symbol.name) plain = rederive::put_in(plain, name, (*value).tree);
+      if (name != symbol.name) plain = language::put_in(plain, name, (*value).tree);
     point.insert_or_assign(symbol.name, Number(plain, symbol.name, low, high));
     return true;
   }

@@ -6,12 +6,13 @@
 namespace rederive::classroom {
 
 /// Returns the opinion on a wrong formula; `mine` is its signature.
-Opinion why_wrong(const Prepared& prepared, const Relation& read, const std::optional<Signature>& mine);
+Opinion why_wrong(const Prepared& prepared, const language::Relation& read,
+                  const std::optional<Signature>& mine);
 
 /// Returns a point with a number of one or two digits for each symbol, at which a student sees with pencil
 /// and paper that an answer is wrong. The values there have six digits: those of an expression, or of the
 /// pivot of an equation; for an equation without pivot, the difference of its sides where the right one
 /// holds.
-std::optional<Witness> by_hand(const Prepared& prepared, const Relation& read);
+std::optional<decide::Witness> by_hand(const Prepared& prepared, const language::Relation& read);
 
 }  // namespace rederive::classroom

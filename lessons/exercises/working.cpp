@@ -11,6 +11,13 @@
 #include <lessons/page/prose.hpp>
 
 namespace rederive::classroom {
+using namespace language;
+using namespace numbers;
+using namespace decide;
+using namespace mechanics;
+using namespace program;
+using namespace paper;
+using namespace page;
 namespace {
 
 /// One link of a line.
@@ -103,7 +110,7 @@ std::optional<Opinion> judge_assumed(const Prepared& step, const Step& after, co
                    "No numbers in the ranges of the symbols satisfy all that is assumed here.");
   const auto& given = step.answer.given;
   const Proof proof = after.small.empty()
-                          ? decide(second, first, step.symbols, given, assumed)
+                          ? decide::decide(second, first, step.symbols, given, assumed)
                           : decide_to_order(second, first, after.small, 1, step.symbols, given, assumed);
   if (is_right(proof.verdict) || proof.verdict == Verdict::approximation) return right_answer();
   if (proof.verdict == Verdict::undecided) return undecided(proof.reason);

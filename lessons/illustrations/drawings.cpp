@@ -6,7 +6,10 @@
 #include <lessons/illustrations/drawings.hpp>
 #include <lessons/page/prose.hpp>
 
-namespace rederive {
+namespace rederive::illustrations {
+using namespace mechanics;
+using namespace paper;
+using namespace page;
 namespace {
 
 constexpr double half_width = 0.5, half_height = 1.5;
@@ -198,4 +201,4 @@ Figure plot(const std::string& name, const std::string& caption, const std::stri
           data + "set grid lc rgb '#dddddd'\nset key below\n" + settings + "\n" + command + "\n"};
 }
 
-}  // namespace rederive
+}  // namespace rederive::illustrations

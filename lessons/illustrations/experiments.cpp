@@ -7,7 +7,10 @@
 #include <numerics/search/story.hpp>
 #include <stdexcept>
 
-namespace rederive {
+namespace rederive::illustrations {
+using namespace decide;
+using namespace paper;
+using namespace page;
 namespace {
 
 constexpr double frequency_parameter = 2.14;
@@ -96,4 +99,4 @@ double pulse_length(double omega, double amplitude) {
   return static_cast<double>(motion.back().to);
 }
 
-}  // namespace rederive
+}  // namespace rederive::illustrations

@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-namespace rederive {
+namespace rederive::illustrations {
 
 /// A pulse that begins when rocking can start, and a block.
 struct Experiment {
@@ -55,4 +55,4 @@ std::string is_real(const numerics::ClosedForm& root);
 double amplitude_without_impact(double omega);
 /// Returns p T_ex of the sine pulse by (52): (2π − ψ)/(ω_p/p), with ψ from a_p sin ψ = αg.
 double pulse_length(double omega, double amplitude);
-}  // namespace rederive
+}  // namespace rederive::illustrations

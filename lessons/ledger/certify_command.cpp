@@ -11,7 +11,14 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-namespace rederive {
+namespace rederive::ledger {
+using namespace language;
+using namespace identity;
+using namespace decide;
+using namespace program;
+using namespace paper;
+using namespace kernel;
+using namespace page;
 
 namespace {
 
@@ -150,7 +157,7 @@ int write_certificate(const Paper& paper, const ProveRequest& request, const std
   const auto work = [&]() -> std::string {  // the script, or why there is none
     Json answer;
     try {
-      const Proof proof = decide(paper, request);
+      const Proof proof = paper::decide(paper, request);
       const Problem problem = problem_of(paper, request);
       const bool is_proved = proof.verdict == Verdict::proved || proof.verdict == Verdict::proved_under;
       const Question question{problem.left, problem.right, problem.symbols, {}, problem.assumptions};
@@ -179,4 +186,4 @@ int write_certificate(const Paper& paper, const ProveRequest& request, const std
   return as_expected;
 }
 
-}  // namespace rederive
+}  // namespace rederive::ledger

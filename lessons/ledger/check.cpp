@@ -14,7 +14,11 @@
 #include <set>
 #include <sstream>
 
-namespace rederive {
+namespace rederive::ledger {
+using namespace program;
+using namespace paper;
+using namespace kernel;
+using namespace page;
 
 namespace {
 
@@ -170,4 +174,4 @@ std::vector<Checked> check(const Paper& paper, const std::vector<Lemma>& lemmas,
   return result;
 }
 
-}  // namespace rederive
+}  // namespace rederive::ledger

@@ -4,7 +4,7 @@
 #include <derivations/kernel/scripts.hpp>
 #include <functional>
 
-namespace rederive {
+namespace rederive::ledger {
 
 /// What coqc says about a lemma.
 struct Checked {
@@ -19,7 +19,7 @@ bool has_coq();
 /// Compiles the scripts in a temporary folder and returns a result for each lemma. A lemma that does not pass
 /// is left out, and the others are tried again. Calls `progress` with the name of each file. Throws
 /// std::runtime_error if the prelude does not compile.
-std::vector<Checked> check(const Paper& paper, const std::vector<Lemma>& lemmas,
+std::vector<Checked> check(const paper::Paper& paper, const std::vector<kernel::Lemma>& lemmas,
                            const std::function<void(const std::string&)>& progress);
 
-}  // namespace rederive
+}  // namespace rederive::ledger

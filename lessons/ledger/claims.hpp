@@ -11,7 +11,7 @@
 #include <variant>
 #include <vector>
 
-namespace rederive {
+namespace rederive::ledger {
 
 enum class ClaimVerdict { confirmed, refuted, qualified, undecided };
 using enum ClaimVerdict;
@@ -63,11 +63,11 @@ JudgedClaim judge(const Claim& claim, const Claims& claims);
 nlohmann::ordered_json claims_json(const std::vector<JudgedClaim>& judged);
 /// Returns a few lines for each claim and counts by verdict at the end; everything about it if there is one
 /// alone.
-std::vector<Passage> claims_passages(const std::vector<JudgedClaim>& judged);
+std::vector<page::Passage> claims_passages(const std::vector<JudgedClaim>& judged);
 
 /// `ledger claims [ID] [--json]`: decides all claims, or the one with that id, and writes them to standard
 /// output. Returns the exit code: 1 if a verdict differs from the expected one. Throws BadInput for an id
 /// that does not exist, and for a file that cannot be used.
-int show_claims(const Paper& paper, const Claims& claims, const std::string& id, bool json);
+int show_claims(const paper::Paper& paper, const Claims& claims, const std::string& id, bool json);
 
-}  // namespace rederive
+}  // namespace rederive::ledger

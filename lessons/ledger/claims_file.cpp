@@ -8,7 +8,9 @@
 #include <lessons/ledger/claims.hpp>
 #include <stdexcept>
 
-namespace rederive {
+namespace rederive::ledger {
+using namespace program;
+using namespace paper;
 
 namespace {
 
@@ -101,4 +103,4 @@ JudgedClaim judge(const Claim& claim, const Claims& claims) {
   }
 }
 
-}  // namespace rederive
+}  // namespace rederive::ledger

@@ -8,7 +8,11 @@
 #include <lessons/page/render.hpp>
 #include <nlohmann/json.hpp>
 
-namespace rederive {
+namespace rederive::ledger {
+using namespace language;
+using namespace program;
+using namespace paper;
+using namespace page;
 
 namespace {
 
@@ -93,4 +97,4 @@ int show_claims(const Paper& paper, const Claims& claims, const std::string& id,
   return fine ? as_expected : not_as_expected;
 }
 
-}  // namespace rederive
+}  // namespace rederive::ledger

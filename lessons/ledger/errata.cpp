@@ -8,7 +8,12 @@
 #include <lessons/page/render.hpp>
 #include <nlohmann/json.hpp>
 
-namespace rederive {
+namespace rederive::ledger {
+using namespace language;
+using namespace decide;
+using namespace mechanics;
+using namespace paper;
+using namespace page;
 
 namespace {
 
@@ -128,4 +133,4 @@ std::string graph(const std::vector<Entry>& entries) {
   return text + "}\n";
 }
 
-}  // namespace rederive
+}  // namespace rederive::ledger

@@ -6,7 +6,11 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-namespace rederive {
+namespace rederive::ledger {
+using namespace language;
+using namespace decide;
+using namespace program;
+using namespace paper;
 
 namespace {
 
@@ -121,4 +125,4 @@ std::string table_page(const std::vector<DecidedRow>& rows) {
   return head;
 }
 
-}  // namespace rederive
+}  // namespace rederive::ledger

@@ -4,14 +4,14 @@
 #include <derivations/paper/prove_bounded.hpp>
 #include <filesystem>
 
-namespace rederive {
+namespace rederive::ledger {
 
 struct TableRow {
   std::string group;     ///< the heading above the row
   std::string why;       ///< the reason for the row
   std::string expected;  ///< a verdict, or "refused" for an input that cannot be used
   bool limit = false;    ///< a known limit: the statement is true, and the verdict is undecided
-  ProveRequest request;
+  paper::ProveRequest request;
 };
 
 /// Reads a table such as tests/prove_table.toml. Throws BadInput, with the place, for a file that cannot be
@@ -25,7 +25,7 @@ struct DecidedRow {
 };
 
 /// Decides every row within the bounds of decide_bounded(). Shows the progress on a terminal.
-std::vector<DecidedRow> decide_table(const Paper& paper, const std::vector<TableRow>& rows);
+std::vector<DecidedRow> decide_table(const paper::Paper& paper, const std::vector<TableRow>& rows);
 
 /// Returns {"rows": [{"group", "left", "right", "assume", "small", "order", "verdict", "expected", "limit",
 /// "reason"}], "counts": {verdict: rows}}
@@ -34,4 +34,4 @@ nlohmann::ordered_json to_json(const std::vector<DecidedRow>& rows);
 /// Returns the table as a Markdown page with a section for each group. Unexpected verdicts are marked.
 std::string table_page(const std::vector<DecidedRow>& rows);
 
-}  // namespace rederive
+}  // namespace rederive::ledger

@@ -4,7 +4,12 @@
 #include <lessons/page/prose.hpp>
 #include <nlohmann/json.hpp>
 
-namespace rederive {
+namespace rederive::ledger {
+using namespace language;
+using namespace decide;
+using namespace mechanics;
+using namespace paper;
+using namespace page;
 
 using Json = nlohmann::ordered_json;
 
@@ -115,4 +120,4 @@ std::string ledger_page(const Entry& entry, const Symbols& symbols, bool colour)
   return text;
 }
 
-}  // namespace rederive
+}  // namespace rederive::ledger

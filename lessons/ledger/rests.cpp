@@ -5,7 +5,11 @@
 #include <lessons/page/prose.hpp>
 #include <set>
 
-namespace rederive {
+namespace rederive::ledger {
+using namespace decide;
+using namespace paper;
+using namespace kernel;
+using namespace page;
 
 namespace {
 
@@ -145,4 +149,4 @@ std::string rests_drawing(const std::vector<Support>& supports) {
   return drawing + "</svg>\n";
 }
 
-}  // namespace rederive
+}  // namespace rederive::ledger

@@ -3,7 +3,7 @@
 
 #include <derivations/kernel/scripts.hpp>
 
-namespace rederive {
+namespace rederive::ledger {
 
 /// How Coq obtains a row.
 struct Support {
@@ -24,8 +24,8 @@ struct Support {
 
 /// Returns one support for each row, in the order of the ledger, and then the names. `lemmas` are all lemmas
 /// of the paper. Throws std::out_of_range for a name that the paper does not list among its assumptions.
-std::vector<Support> supports_of(const Paper& paper, const std::vector<Entry>& entries,
-                                 const std::vector<Lemma>& lemmas);
+std::vector<Support> supports_of(const paper::Paper& paper, const std::vector<paper::Entry>& entries,
+                                 const std::vector<kernel::Lemma>& lemmas);
 
 /// Returns how many rows are whole.
 int whole(const std::vector<Support>& supports);
@@ -34,8 +34,8 @@ std::string summary(const std::vector<Support>& supports);
 
 /// Returns a page in Markdown: the counts, what is assumed, what each row rests on, and the rows without a
 /// lemma. It shows rests.svg.
-std::string rests_page(const std::vector<Entry>& entries, const std::vector<Support>& supports);
+std::string rests_page(const std::vector<paper::Entry>& entries, const std::vector<Support>& supports);
 /// Returns a drawing in SVG in which each row is to the right of all rows that it follows from.
 std::string rests_drawing(const std::vector<Support>& supports);
 
-}  // namespace rederive
+}  // namespace rederive::ledger

@@ -12,7 +12,14 @@
 #include <lessons/page/prose.hpp>
 #include <nlohmann/json.hpp>
 
-namespace rederive {
+namespace rederive::ledger {
+using namespace language;
+using namespace numbers;
+using namespace decide;
+using namespace mechanics;
+using namespace program;
+using namespace paper;
+using namespace page;
 
 namespace {
 
@@ -336,4 +343,4 @@ int run_ledger(const Paper& paper, int argc, char** argv) {
   return run_ledger([&] { return paper; }, argc, argv);
 }
 
-}  // namespace rederive
+}  // namespace rederive::ledger

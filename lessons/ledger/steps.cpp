@@ -6,7 +6,12 @@
 #include <functional>
 #include <lessons/ledger/steps.hpp>
 
-namespace rederive {
+namespace rederive::ledger {
+using namespace language;
+using namespace identity;
+using namespace decide;
+using namespace paper;
+using namespace kernel;
 
 namespace {
 
@@ -134,4 +139,4 @@ std::vector<Lemma> corrections_of(const Paper& paper, const std::vector<Entry>& 
   return result;
 }
 
-}  // namespace rederive
+}  // namespace rederive::ledger

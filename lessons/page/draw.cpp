@@ -7,7 +7,8 @@
 #include <lessons/page/render.hpp>
 #include <numerics/pictures/plot.hpp>
 
-namespace rederive {
+namespace rederive::page {
+using namespace program;
 namespace {
 
 constexpr auto terminals =
@@ -63,4 +64,4 @@ std::string workbench_element(const std::string& options) {
   return fmt::format(fmt::runtime(*opening), escaped(options)) + *element;
 }
 
-}  // namespace rederive
+}  // namespace rederive::page

@@ -6,7 +6,11 @@
 #include <lessons/page/prose.hpp>
 #include <lessons/page/render.hpp>
 
-namespace rederive {
+namespace rederive::page {
+using namespace language;
+using namespace decide;
+using namespace mechanics;
+using namespace paper;
 namespace {
 
 /// "0.123456789…" → six significant digits: enough to see that two numbers differ, short enough to read.
@@ -91,4 +95,4 @@ Findings findings(const Entry& entry, const Paper& paper) {
   return result;
 }
 
-}  // namespace rederive
+}  // namespace rederive::page

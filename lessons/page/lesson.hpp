@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-namespace rederive {
+namespace rederive::page {
 
 /// Values for symbols, in our syntax: {{"theta", "0"}, {"u_gddot", "g*tan(alpha)"}}.
 using Values = std::map<std::string, std::string>;
@@ -21,28 +21,28 @@ using Values = std::map<std::string, std::string>;
 /// ledger does not have and for an undeclared symbol, and SyntaxError for a value that cannot be read.
 class Page {
  public:
-  explicit Page(const Paper& paper) : paper_(paper) {}
-  const Paper& paper() const { return paper_; }
+  explicit Page(const paper::Paper& paper) : paper_(paper) {}
+  const paper::Paper& paper() const { return paper_; }
 
   /// Returns the derivation of an equation of the paper, and the result of a derivation.
-  Derivation derived(const std::string& id) const;
-  Relation derived_relation(const Derivation& derivation) const {
-    return rederive::derived_relation(derivation, paper_.symbols);
+  mechanics::Derivation derived(const std::string& id) const;
+  language::Relation derived_relation(const mechanics::Derivation& derivation) const {
+    return rederive::paper::derived_relation(derivation, paper_.symbols);
   }
-  Relation derived_relation(const std::string& id) const { return derived_relation(derived(id)); }
+  language::Relation derived_relation(const std::string& id) const { return derived_relation(derived(id)); }
   /// Returns what the paper prints.
-  Relation printed(const std::string& id) const;
+  language::Relation printed(const std::string& id) const;
   GiNaC::ex with(const GiNaC::ex& expression, const Values& values) const;
   /// Returns a special case of what is derived, or of what is printed (of the last two sides of a chain).
-  Relation derived_with(const std::string& id, const Values& values) const;
-  Relation printed_with(const std::string& id, const Values& values) const;
+  language::Relation derived_with(const std::string& id, const Values& values) const;
+  language::Relation printed_with(const std::string& id, const Values& values) const;
   /// Returns the value of an expression. Throws std::invalid_argument if a symbol has no value.
   double number_of(const GiNaC::ex& expression, const Values& values = {}) const;
 
   /// Adds sentences. A blank line begins a new paragraph.
   void say(const std::string& text);
   /// Adds a relation or an expression of a derivation, never one that is typed into a lesson.
-  void show(const Relation& relation, const std::string& number = "", const std::string& mark = "");
+  void show(const language::Relation& relation, const std::string& number = "", const std::string& mark = "");
   void show(const GiNaC::ex& expression);
   void show(const GiNaC::ex& left, const std::string& relation, const GiNaC::ex& right,
             const std::string& number = "");
@@ -52,14 +52,15 @@ class Page {
   /// that are on this page already are left out, and so are those that lead to `known`, a result on the way.
   /// Throws std::invalid_argument if `known` is not on the way.
   void argue(const std::string& id, const std::string& known = "");
-  void argue(const Derivation& derivation, const std::string& number = "", const std::string& known = "");
+  void argue(const mechanics::Derivation& derivation, const std::string& number = "",
+             const std::string& known = "");
   /// Adds what the paper prints and what the ledger found.
   void verdict(const std::string& id);
   /// Adds a row as a lemma of Coq, or a theorem of the project by its name. Throws std::invalid_argument if
   /// there is no script for it.
   void lemma(const std::string& id);
   /// Adds what the decision procedure finds when it compares two statements.
-  void compare(const Relation& left, const Relation& right);
+  void compare(const language::Relation& left, const language::Relation& right);
   void table(std::vector<std::string> header, std::vector<std::vector<std::string>> rows) {
     blocks_.push_back(Table{std::move(header), std::move(rows)});
   }
@@ -72,7 +73,7 @@ class Page {
   const std::vector<Passage>& blocks() const { return blocks_; }
 
  private:
-  const Paper& paper_;
+  const paper::Paper& paper_;
   std::vector<Passage> blocks_;
   std::set<std::string> told_;  ///< the steps of derivations on this page
 };
@@ -91,8 +92,8 @@ struct Lesson {
 /// The ids of the rows that each lesson covers, by its number.
 using Coverage = std::map<int, std::vector<std::string>>;
 /// Reads equations_of_lessons.toml. Throws BadInput, with the line, for a row that the paper does not have.
-Coverage read_coverage(const Paper& paper);
+Coverage read_coverage(const paper::Paper& paper);
 /// Returns the number of the first lesson that covers a row, or 0.
 int lesson_with(const std::string& id, const Coverage& coverage);
 
-}  // namespace rederive
+}  // namespace rederive::page

@@ -8,7 +8,11 @@
 #include <lessons/page/render.hpp>
 #include <map>
 
-namespace rederive {
+namespace rederive::page {
+using namespace language;
+using namespace numbers;
+using namespace decide;
+using namespace paper;
 namespace {
 
 using Kind = Node::Kind;
@@ -290,4 +294,4 @@ std::string formula_html(const Relation& relation, const Symbols& symbols) {
   });
 }
 
-}  // namespace rederive
+}  // namespace rederive::page

@@ -9,7 +9,14 @@
 #include <stdexcept>
 #include <utility>
 
-namespace rederive {
+namespace rederive::page {
+using namespace language;
+using namespace numbers;
+using namespace decide;
+using namespace mechanics;
+using namespace program;
+using namespace paper;
+using namespace kernel;
 namespace {
 
 /// Tangents as quotients, double angles halved, and what cancels cancelled, where that makes the expression
@@ -152,7 +159,7 @@ void Page::argue(const Derivation& with_ids, const std::string& id, const std::s
 void Page::verdict(const std::string& id) { blocks_.push_back(findings(judged(paper_, id), paper_)); }
 
 void Page::compare(const Relation& left, const Relation& right) {
-  const Proof proof = decide(left, right, paper_.symbols);
+  const Proof proof = decide::decide(left, right, paper_.symbols);
   std::string verdict = to_string(proof.verdict);
   std::replace(verdict.begin(), verdict.end(), '_', ' ');
   std::string text = "The decision procedure says: *" + verdict + "*";
@@ -199,4 +206,4 @@ int lesson_with(const std::string& id, const Coverage& coverage) {
   return 0;
 }
 
-}  // namespace rederive
+}  // namespace rederive::page

@@ -13,7 +13,7 @@
 #include <variant>
 #include <vector>
 
-namespace rederive {
+namespace rederive::page {
 
 struct Heading {
   std::string text;         ///< a sentence
@@ -25,14 +25,14 @@ struct Paragraph {
 };
 /// A displayed relation or expression.
 struct Formula {
-  Relation relation;
+  language::Relation relation;
   std::string number = {};  ///< of the paper's equation; empty if it has none
   std::string mark = {};    ///< "," or "." if the formula is part of a sentence
 };
 /// One line of findings: a label, and a formula, a sentence, or a text that keeps its line breaks and blanks.
 struct Remark {
   std::string label;
-  std::optional<Relation> formula = {};
+  std::optional<language::Relation> formula = {};
   std::string words = {};
   std::string verbatim = {};
 };
@@ -96,4 +96,4 @@ struct Front {
   std::string kind = {};  ///< the class of a web page
 };
 
-}  // namespace rederive
+}  // namespace rederive::page

@@ -11,7 +11,11 @@
 #include <stdexcept>
 #include <utility>
 
-namespace rederive {
+namespace rederive::page {
+using namespace language;
+using namespace numbers;
+using namespace decide;
+using namespace paper;
 namespace {
 
 constexpr std::string_view no_break = "\u00A0";
@@ -353,4 +357,4 @@ std::string wrap(std::string_view words, std::size_t width, const std::string& f
   return unglued(result) + "\n";
 }
 
-}  // namespace rederive
+}  // namespace rederive::page

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-namespace rederive {
+namespace rederive::page {
 
 /// A stretch of a sentence.
 struct Span {
@@ -27,38 +27,41 @@ std::vector<Span> spans(std::string_view sentence);
 std::string literal(std::string_view text);
 
 /// Returns a relation or an expression in a notation.
-std::string print_statement(const Relation& relation, Notation notation, const Symbols& symbols);
+std::string print_statement(const language::Relation& relation, language::Notation notation,
+                            const language::Symbols& symbols);
 /// Returns the mathematics of a sentence, `$...$` without the dollars, in a notation.
-std::string print_inline(const std::string& text, Notation notation, const Symbols& symbols);
+std::string print_inline(const std::string& text, language::Notation notation,
+                         const language::Symbols& symbols);
 
 /// Returns a sentence without its marks.
-std::string unmarked(const std::string& sentence, Notation notation, const Symbols& symbols);
+std::string unmarked(const std::string& sentence, language::Notation notation,
+                     const language::Symbols& symbols);
 
 /// A part of a long formula, with the sign before it: a relation sign, "+", "-", or none at the beginning.
 struct Piece {
   std::string sign;
-  Tree term;
+  language::Tree term;
   bool is_enclosed = false;  ///< in parentheses
 };
 /// Breaks a formula before its relation signs and before the terms of its sums.
-std::vector<Piece> pieces(const Relation& relation);
+std::vector<Piece> pieces(const language::Relation& relation);
 /// Returns a piece as text. Joined with blanks, the pieces are the whole formula.
-std::string print(const Piece& piece, Notation notation, const Symbols& symbols);
+std::string print(const Piece& piece, language::Notation notation, const language::Symbols& symbols);
 /// Returns a relation sign, "+" or "-" as a notation writes it.
-std::string sign_text(const std::string& sign, Notation notation);
+std::string sign_text(const std::string& sign, language::Notation notation);
 
 /// Takes the words of a derivation's step apart. Text between $…$ that can be read is mathematics; all else
 /// is text.
-std::vector<Span> step_spans(const std::string& words, const Symbols& symbols);
+std::vector<Span> step_spans(const std::string& words, const language::Symbols& symbols);
 
 /// Returns the words of a step, or of a note in the ledger, as a sentence. Text between $…$ is mathematics.
 /// If Paper::has_names_in_words is true, so are names and calls such as cos(alpha - theta); in other papers
 /// they may be English words.
-std::string marked(const std::string& words, const Paper& paper);
+std::string marked(const std::string& words, const paper::Paper& paper);
 
 /// Returns a text in ASCII, with symbols by their names: "θ" becomes "theta", "–" becomes "-". Throws
 /// std::invalid_argument for a character without a spelling.
-std::string to_ascii(std::string_view text, const Symbols& symbols);
+std::string to_ascii(std::string_view text, const language::Symbols& symbols);
 /// Returns a text with no-break spaces instead of blanks, so that `wrap` keeps it in one piece.
 std::string glued(const std::string& text);
 /// Returns a text with blanks instead of no-break spaces.
@@ -89,4 +92,4 @@ std::size_t columns(std::string_view text);
 std::string wrap(std::string_view words, std::size_t width, const std::string& first,
                  const std::string& rest);
 
-}  // namespace rederive
+}  // namespace rederive::page

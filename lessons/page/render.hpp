@@ -9,7 +9,7 @@
 #include <optional>
 #include <string>
 
-namespace rederive {
+namespace rederive::page {
 
 enum class Format { unicode, plain, latex, markdown, notebook, html };
 
@@ -21,7 +21,7 @@ struct PlacedForm {
 };
 
 struct Setting {
-  const Paper& paper;
+  const paper::Paper& paper;
   Format format = Format::unicode;
   std::size_t width = 80;  ///< of the terminal
   bool lively = false;     ///< whether bold and colour are allowed
@@ -51,12 +51,12 @@ class Renderer {
   virtual std::string end() { return ""; }
 
  protected:
-  const Symbols& symbols() const { return setting_.paper.symbols; }
+  const language::Symbols& symbols() const { return setting_.paper.symbols; }
   /// A sentence.
   std::string flat(const std::string& sentence);
   std::vector<std::string> flat(const std::vector<std::string>& sentences);
-  virtual std::string math(const Relation& relation) = 0;  ///< in a sentence
-  virtual std::string styled(const Span& span) = 0;        ///< all but mathematics
+  virtual std::string math(const language::Relation& relation) = 0;  ///< in a sentence
+  virtual std::string styled(const Span& span) = 0;                  ///< all but mathematics
   virtual std::string render(const Heading& part) = 0;
   virtual std::string render(const Paragraph& part) = 0;
   virtual std::string render(const Formula& part) = 0;
@@ -87,9 +87,9 @@ std::optional<std::string> in_python(const std::string& command);
 bool is_module_there();
 
 /// Returns "(17b): refuted (argument)".
-std::string headline(const Entry& entry);
+std::string headline(const paper::Entry& entry);
 /// Returns what the ledger found: printed, correct, factor, conditions, witness, dimension, notes.
-Findings findings(const Entry& entry, const Paper& paper);
+Findings findings(const paper::Entry& entry, const paper::Paper& paper);
 
 /// Returns a figure as gnuplot draws it, or nothing if gnuplot is not installed. `kind` is "svg" or "pdf".
 /// Throws std::runtime_error, with the message of gnuplot, if the script is wrong.
@@ -99,10 +99,10 @@ std::optional<std::filesystem::path> draw(const Figure& figure, const std::strin
                                           std::filesystem::path& folder);
 
 /// Returns a relation or an expression as MathML, which browsers draw without help.
-std::string mathml(const Relation& relation, const Symbols& symbols);
+std::string mathml(const language::Relation& relation, const language::Symbols& symbols);
 /// The same for a displayed formula. Each piece is a formula of its own, so that a narrow screen may break
 /// the line between them.
-std::string formula_html(const Relation& relation, const Symbols& symbols);
+std::string formula_html(const language::Relation& relation, const language::Symbols& symbols);
 /// Returns the style with the letters of formulas, a part of Latin Modern Math; nothing if the font or
 /// fonttools was not installed when the program was built.
 std::string math_font_style();
@@ -124,4 +124,4 @@ Said said_by(const std::string& command);
 /// Returns a path as a word of the shell.
 std::string in_quotes(const std::filesystem::path& path);
 
-}  // namespace rederive
+}  // namespace rederive::page

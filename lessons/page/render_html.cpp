@@ -9,7 +9,12 @@
 #include <stdexcept>
 #include <utility>
 
-namespace rederive {
+namespace rederive::page {
+using namespace language;
+using namespace numbers;
+using namespace decide;
+using namespace program;
+using namespace paper;
 namespace {
 
 std::string base64(const std::string& bytes) {
@@ -276,4 +281,4 @@ std::unique_ptr<Renderer> html_renderer(const Setting& setting) {
   return std::make_unique<HtmlRenderer>(setting);
 }
 
-}  // namespace rederive
+}  // namespace rederive::page

@@ -8,7 +8,12 @@
 #include <lessons/page/render.hpp>
 #include <sstream>
 
-namespace rederive {
+namespace rederive::page {
+using namespace language;
+using namespace numbers;
+using namespace decide;
+using namespace program;
+using namespace paper;
 namespace {
 
 constexpr auto preamble = R"(\documentclass[11pt,a4paper]{article}
@@ -154,4 +159,4 @@ std::unique_ptr<Renderer> latex_renderer(const Setting& setting) {
   return std::make_unique<LatexRenderer>(setting);
 }
 
-}  // namespace rederive
+}  // namespace rederive::page

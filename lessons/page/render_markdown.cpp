@@ -13,7 +13,10 @@
 #include <nlohmann/json.hpp>
 #include <regex>
 
-namespace rederive {
+namespace rederive::page {
+using namespace language;
+using namespace program;
+using namespace paper;
 namespace {
 
 /// A rule of notebook_cells.toml: how a command is written in Python.
@@ -216,4 +219,4 @@ bool is_module_there() {
   return there;
 }
 
-}  // namespace rederive
+}  // namespace rederive::page

@@ -5,7 +5,10 @@
 #include <lessons/page/prose.hpp>
 #include <lessons/page/render.hpp>
 
-namespace rederive {
+namespace rederive::page {
+using namespace language;
+using namespace decide;
+using namespace paper;
 namespace {
 
 class TextRenderer : public Renderer {
@@ -148,4 +151,4 @@ std::unique_ptr<Renderer> text_renderer(const Setting& setting) {
   return std::make_unique<TextRenderer>(setting);
 }
 
-}  // namespace rederive
+}  // namespace rederive::page

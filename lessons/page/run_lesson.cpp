@@ -13,7 +13,11 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-namespace rederive {
+namespace rederive::page {
+using namespace language;
+using namespace decide;
+using namespace program;
+using namespace paper;
 namespace {
 
 namespace fs = std::filesystem;
@@ -270,4 +274,4 @@ int run_lesson(const Paper& paper, const Lesson& lesson, int argc, char** argv) 
   return run_command(app, argc, argv, [&] { return run(paper, lesson, flags); });
 }
 
-}  // namespace rederive
+}  // namespace rederive::page

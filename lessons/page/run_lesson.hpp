@@ -4,10 +4,10 @@
 #include <lessons/page/lesson.hpp>
 #include <map>
 
-namespace rederive {
+namespace rederive::page {
 
 /// Parses the flags of a lesson about `paper` and writes what they ask for. Returns the exit code.
-int run_lesson(const Paper& paper, const Lesson& lesson, int argc, char** argv);
+int run_lesson(const paper::Paper& paper, const Lesson& lesson, int argc, char** argv);
 /// Returns the names of the programs of all lessons, in order. They are in the folder of the program that
 /// runs.
 std::vector<std::string> all_lessons();
@@ -15,4 +15,4 @@ std::vector<std::string> all_lessons();
 /// its motion". Throws std::runtime_error if a program fails.
 std::map<std::string, std::string> titles_of_lessons();
 
-}  // namespace rederive
+}  // namespace rederive::page

@@ -11,7 +11,13 @@
 
 namespace py = pybind11;
 
-namespace rederive {
+namespace rederive::python {
+using namespace language;
+using namespace numbers;
+using namespace program;
+using namespace emit;
+using namespace paper;
+using namespace rocking_block;
 namespace {
 
 using rocking_block::paper;
@@ -105,23 +111,24 @@ std::string emit_text(const py::object& language, const py::object& functions) {
     for (const auto& [name, its] : targets()) known += (known.empty() ? "" : ", ") + name;
     throw BadInput("there is no target '" + target + "'; the target must be one of " + known);
   }
-  return alone(algebra(),
-               [&] { return emit(chosen_from(paper().emission(), names, found->second), found->second); });
+  return alone(algebra(), [&] {
+    return emit::emit(chosen_from(paper().emission(), names, found->second), found->second);
+  });
 }
 
 }  // namespace
-}  // namespace rederive
+}  // namespace rederive::python
 
 PYBIND11_MODULE(_proofs, module) {
   py::register_local_exception_translator([](std::exception_ptr thrown) {
     try {
       std::rethrow_exception(thrown);
-    } catch (const rederive::BadInput& error) {
-      PyErr_SetString(PyExc_ValueError, rederive::printable(error.what()).c_str());
+    } catch (const rederive::program::BadInput& error) {
+      PyErr_SetString(PyExc_ValueError, rederive::program::printable(error.what()).c_str());
     }
   });
-  module.def("ledger", rederive::ledger, py::arg("equations"));
-  module.def("prove", rederive::prove, py::arg("left"), py::arg("right"), py::arg("assume"), py::arg("small"),
-             py::arg("order"));
-  module.def("emit", rederive::emit_text, py::arg("target"), py::arg("names"));
+  module.def("ledger", rederive::python::ledger, py::arg("equations"));
+  module.def("prove", rederive::python::prove, py::arg("left"), py::arg("right"), py::arg("assume"),
+             py::arg("small"), py::arg("order"));
+  module.def("emit", rederive::python::emit_text, py::arg("target"), py::arg("names"));
 }

@@ -5,6 +5,8 @@
 #include <stdexcept>
 
 namespace rederive::rocking_block {
+using namespace paper;
+using namespace ledger;
 
 Claims claims() {
   Claims all{.file = equations_file(paper()).parent_path() / "claims.toml", .checks = {}};

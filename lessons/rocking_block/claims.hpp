@@ -7,6 +7,6 @@ namespace rederive::rocking_block {
 
 /// Returns the file claims.toml beside the rows, with its checks (claims_bench.hpp). The checks share a
 /// bench, which keeps what is expensive.
-Claims claims();
+ledger::Claims claims();
 
 }  // namespace rederive::rocking_block

@@ -5,6 +5,11 @@
 #include <numerics/search/edges.hpp>
 
 namespace rederive::rocking_block {
+using namespace language;
+using namespace decide;
+using namespace paper;
+using namespace page;
+using namespace ledger;
 
 using namespace numerics;
 

@@ -14,8 +14,8 @@ namespace rederive::rocking_block {
 class Bench {
  public:
   /// Returns a judged row of equations.toml. Throws std::out_of_range, with the id, if there is no such row.
-  const Entry& row(const std::string& id);
-  Verdict verdict_of(const std::string& id) { return row(id).proof.verdict; }
+  const paper::Entry& row(const std::string& id);
+  decide::Verdict verdict_of(const std::string& id) { return row(id).proof.verdict; }
   /// Returns whether the verdict of a row is proved, proved_under or approximation.
   bool is_right(const std::string& id);
   /// Returns the verdicts of rows in words: "(24b) proved, (88) refuted: right is …".
@@ -42,13 +42,13 @@ class Bench {
  private:
   double edge(const numerics::PulseCase& asked, int code_under_sine, bool upper);
 
-  std::map<std::string, Entry> entries_;
+  std::map<std::string, paper::Entry> entries_;
   std::map<std::string, std::vector<numerics::Window>> windows_;
   std::map<std::string, double> edges_, ratios_;
 };
 
 /// A check: decides a claim with what the bench computes.
-using BenchCheck = Finding (*)(Bench&, const Claim&);
+using BenchCheck = ledger::Finding (*)(Bench&, const ledger::Claim&);
 /// The checks by their names in claims.toml.
 using Checks = std::map<std::string, BenchCheck>;
 Checks checks_of_symbols();       ///< decided by derivations and by the verdicts of the rows
@@ -106,10 +106,13 @@ std::string each(const std::vector<double>& numbers, Say say, const char* separa
 }
 
 /// Returns the verdict on a claim that either holds or does not.
-inline ClaimVerdict decided(bool holds) { return holds ? confirmed : refuted; }
+inline ledger::ClaimVerdict decided(bool holds) {
+  return holds ? ledger::ClaimVerdict::confirmed : ledger::ClaimVerdict::refuted;
+}
 /// Returns confirmed if the claim holds in all cases, refuted if in none, else qualified.
-inline ClaimVerdict of_all(int holds, int tried) {
-  return holds == tried ? confirmed : holds == 0 ? refuted : qualified;
+inline ledger::ClaimVerdict of_all(int holds, int tried) {
+  if (holds == tried) return ledger::ClaimVerdict::confirmed;
+  return holds == 0 ? ledger::ClaimVerdict::refuted : ledger::ClaimVerdict::qualified;
 }
 
 }  // namespace rederive::rocking_block

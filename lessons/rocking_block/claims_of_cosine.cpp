@@ -6,6 +6,9 @@
 #include <lessons/rocking_block/claims_bench.hpp>
 
 namespace rederive::rocking_block {
+using namespace language;
+using namespace paper;
+using namespace ledger;
 
 using namespace numerics;
 

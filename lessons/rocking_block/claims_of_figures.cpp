@@ -7,6 +7,8 @@
 #include <numerics/search/story.hpp>
 
 namespace rederive::rocking_block {
+using namespace paper;
+using namespace ledger;
 
 using namespace numerics;
 

@@ -5,6 +5,10 @@
 #include <numbers>
 
 namespace rederive::rocking_block {
+using namespace decide;
+using namespace paper;
+using namespace page;
+using namespace ledger;
 
 using namespace numerics;
 

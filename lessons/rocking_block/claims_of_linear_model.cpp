@@ -7,6 +7,9 @@
 #include <numbers>
 
 namespace rederive::rocking_block {
+using namespace numbers;
+using namespace paper;
+using namespace ledger;
 
 using namespace numerics;
 

@@ -7,6 +7,9 @@
 #include <numerics/records/code_spectrum.hpp>
 
 namespace rederive::rocking_block {
+using namespace language;
+using namespace paper;
+using namespace ledger;
 
 using namespace numerics;
 

@@ -8,6 +8,10 @@
 #include <set>
 
 namespace rederive::rocking_block {
+using namespace language;
+using namespace paper;
+using namespace page;
+using namespace ledger;
 
 using namespace numerics;
 

@@ -9,6 +9,13 @@
 #include <lessons/rocking_block/claims_bench.hpp>
 
 namespace rederive::rocking_block {
+using namespace language;
+using namespace numbers;
+using namespace decide;
+using namespace mechanics;
+using namespace paper;
+using namespace page;
+using namespace ledger;
 
 namespace {
 
@@ -17,8 +24,8 @@ using GiNaC::lst;
 
 bool same(const ex& left, const ex& right, const std::vector<Given>& given = {}) {
   const Symbols& symbols = paper().symbols;
-  return decide({{to_tree(left, symbols)}, {}}, {{to_tree(right, symbols)}, {}}, symbols, given).verdict ==
-         Verdict::proved;
+  return decide::decide({{to_tree(left, symbols)}, {}}, {{to_tree(right, symbols)}, {}}, symbols, given)
+             .verdict == Verdict::proved;
 }
 
 std::string shown(const ex& e) { return print(e, Notation::unicode, paper().symbols); }

@@ -6,6 +6,8 @@
 #include <numbers>
 
 namespace rederive::rocking_block {
+using namespace numbers;
+using namespace paper;
 
 using namespace numerics;
 

@@ -9,6 +9,14 @@
 #include <stdexcept>
 
 namespace rederive::rocking_block {
+using namespace language;
+using namespace numbers;
+using namespace decide;
+using namespace mechanics;
+using namespace paper;
+using namespace illustrations;
+using namespace page;
+using namespace classroom;
 
 using classroom::Arguments;
 

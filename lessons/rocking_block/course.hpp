@@ -12,8 +12,8 @@ const classroom::Course& course();
 
 /// e of a light block with a point mass in the middle of its top face: the moment of the momentum about the
 /// new corner is kept. In b and h.
-Derivation mass_at_the_top();
+mechanics::Derivation mass_at_the_top();
 /// The condition of (71) for a pulse that stops after half a sine, when its argument is pi.
-Derivation half_sine();
+mechanics::Derivation half_sine();
 
 }  // namespace rederive::rocking_block

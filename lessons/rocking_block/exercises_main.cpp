@@ -20,8 +20,10 @@
 #include <lessons/exercises/watch.hpp>
 #include <lessons/rocking_block/course.hpp>
 
-using namespace rederive;
+using namespace rederive::language;
+using namespace rederive::program;
 using namespace rederive::classroom;
+using namespace rederive::rocking_block;
 
 namespace {
 
@@ -151,7 +153,7 @@ int run(const CLI::App& app, const Typed& given) {
   std::string seed = given.seed;  // help without one is for the variant that was tried last
   if (app.get_option("--seed")->empty() && (app.got_subcommand("hint") || app.got_subcommand("solution")))
     seed = load_progress(progress).records[given.id].seed;
-  const Course& course = rocking_block::course();
+  const Course& course = rederive::rocking_block::course();
   const Classroom room{course, read_exercises(course, exercises_folder(), seed), progress, given.json,
                        is_lively(1)};
   read_slip_words();  // what is wrong with their file is said at once

@@ -10,6 +10,6 @@
 #include <lessons/rocking_block/claims.hpp>
 
 int main(int argc, char** argv) {
-  using namespace rederive;
-  return run_ledger(rocking_block::paper, argc, argv, rocking_block::claims);
+  return rederive::ledger::run_ledger(rederive::rocking_block::paper, argc, argv,
+                                      rederive::rocking_block::claims);
 }

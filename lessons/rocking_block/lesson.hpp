@@ -11,11 +11,11 @@
 #include <lessons/illustrations/experiments.hpp>
 #include <lessons/page/run_lesson.hpp>
 
-namespace rederive {
+namespace rederive::rocking_block {
 
 /// Prints what the command line asks for of a lesson on the built-in paper. Returns the exit code.
-inline int run_lesson(const Lesson& lesson, int argc, char** argv) {
-  return run_lesson(rocking_block::paper(), lesson, argc, argv);
+inline int run_lesson(const page::Lesson& lesson, int argc, char** argv) {
+  return page::run_lesson(paper(), lesson, argc, argv);
 }
 
-}  // namespace rederive
+}  // namespace rederive::rocking_block

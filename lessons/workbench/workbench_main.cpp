@@ -13,7 +13,13 @@
 #include <numerics/motion/overturning.hpp>
 #include <stdexcept>
 
-using namespace rederive;
+using namespace rederive::language;
+using namespace rederive::mechanics;
+using namespace rederive::program;
+using namespace rederive::emit;
+using namespace rederive::paper;
+using namespace rederive::rocking_block;
+using namespace rederive::page;
 using namespace rederive::rocking_block;
 
 namespace {
@@ -93,7 +99,7 @@ std::string without_documentation(std::string text) {
 
 /// What the scripts say of an outcome, as `words_for` has it.
 std::string outcome_words() {
-  using namespace numerics;
+  using namespace rederive::numerics;
   return "const outcomeWords = " +
          nlohmann::json{{"safe", words_for(0)},
                         {"pattern", words_of_overturning},

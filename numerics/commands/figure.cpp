@@ -6,6 +6,7 @@
 #include <numerics/pictures/figures.hpp>
 
 namespace rederive::numerics::commands {
+using namespace program;
 namespace {
 
 struct FigureCommand {

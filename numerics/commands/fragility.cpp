@@ -13,6 +13,7 @@
 #include <numerics/search/fragility.hpp>
 
 namespace rederive::numerics::commands {
+using namespace program;
 namespace {
 
 namespace fs = std::filesystem;

@@ -3,6 +3,7 @@
 #include <numerics/commands/inputs.hpp>
 
 namespace rederive::numerics::commands {
+using namespace program;
 namespace {
 
 const std::map<std::string, RecordUnit>& units() {

@@ -10,6 +10,8 @@
 #include <numerics/search/grid.hpp>
 
 namespace rederive::numerics::commands {
+using namespace numbers;
+using namespace program;
 namespace {
 
 struct MapCommand {

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 namespace rederive::numerics::commands {
+using namespace program;
 namespace {
 
 /// An object of HDF5, which the destructor closes. The C++ interface of HDF5 would save 20 lines, but its

@@ -12,6 +12,7 @@
 #include <system_error>
 
 namespace rederive::numerics::commands {
+using namespace program;
 namespace {
 
 constexpr std::string_view file_mark = "rederive map 1\n";

@@ -9,6 +9,8 @@
 #include <numerics/search/ball_functions.hpp>
 
 namespace rederive::numerics::commands {
+using namespace numbers;
+using namespace program;
 
 namespace {
 

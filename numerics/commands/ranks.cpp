@@ -14,6 +14,7 @@
 #include <utility>
 
 namespace rederive::numerics::commands {
+using namespace program;
 namespace {
 
 /// What a letter to rank 0 says: its first character.

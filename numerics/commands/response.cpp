@@ -10,6 +10,7 @@
 #include <stdexcept>
 
 namespace rederive::numerics::commands {
+using namespace program;
 namespace {
 
 using Json = nlohmann::ordered_json;

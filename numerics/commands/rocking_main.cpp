@@ -11,14 +11,14 @@ void refuse_empty_values(const CLI::App& app) {
   for (const CLI::Option* option : app.get_options())
     for (const std::string& value : option->results())
       if (value.empty() && !option->get_positional())
-        throw rederive::BadInput(option->get_name() + " '' is empty: it must have a value");
+        throw rederive::program::BadInput(option->get_name() + " '' is empty: it must have a value");
   for (const CLI::App* part : app.get_subcommands()) refuse_empty_values(*part);
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  using namespace rederive;
+  using namespace rederive::program;
   using namespace rederive::numerics::commands;
   open_standard_streams();
   be_silent_unless_first();

@@ -9,6 +9,8 @@
 #include <numerics/search/grid.hpp>
 
 namespace rederive::numerics::commands {
+using namespace numbers;
+using namespace program;
 namespace {
 
 struct SpectrumCommand {

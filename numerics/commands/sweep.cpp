@@ -9,6 +9,7 @@
 #include <thread>
 
 namespace rederive::numerics::commands {
+using namespace program;
 namespace {
 
 std::atomic<bool>& interruption() {

@@ -10,6 +10,8 @@
 #include <thread>
 
 namespace rederive::numerics::commands {
+using namespace numbers;
+using namespace program;
 namespace {
 
 using Json = nlohmann::ordered_json;

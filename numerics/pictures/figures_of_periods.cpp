@@ -9,6 +9,7 @@
 #include <numerics/search/closed_form.hpp>
 
 namespace rederive::numerics {
+using namespace numbers;
 namespace {
 
 struct Case {

@@ -13,6 +13,7 @@
 #include <stdexcept>
 
 namespace rederive::numerics {
+using namespace program;
 namespace {
 
 /// A file that has no name and goes with this object; behind 0, 1 and 2, which a child has for itself.

@@ -13,6 +13,7 @@
 #include <stdexcept>
 
 namespace rederive::numerics {
+using namespace program;
 namespace {
 
 using Lines = std::vector<std::string>;

@@ -7,6 +7,7 @@
 #include <string_view>
 
 namespace rederive::numerics {
+using namespace program;
 namespace {
 
 using namespace std::string_view_literals;

@@ -4,24 +4,24 @@
 #include <derivations/numbers/ball.hpp>
 #include <emitted/rocking_block.hpp>
 
-namespace rederive {
+namespace rederive::numbers {
 
 // Found by argument-dependent lookup, so that a formula written for any number type is proven.
-inline Ball sqrt(const Ball& x) { return x.image(arb_sqrt); }
-inline Ball exp(const Ball& x) { return x.image(arb_exp); }
-inline Ball log(const Ball& x) { return x.image(arb_log); }
-inline Ball sin(const Ball& x) { return x.image(arb_sin); }
-inline Ball cos(const Ball& x) { return x.image(arb_cos); }
-inline Ball tan(const Ball& x) { return x.image(arb_tan); }
-inline Ball sinh(const Ball& x) { return x.image(arb_sinh); }
-inline Ball cosh(const Ball& x) { return x.image(arb_cosh); }
-inline Ball tanh(const Ball& x) { return x.image(arb_tanh); }
+inline numbers::Ball sqrt(const numbers::Ball& x) { return x.image(arb_sqrt); }
+inline numbers::Ball exp(const numbers::Ball& x) { return x.image(arb_exp); }
+inline numbers::Ball log(const numbers::Ball& x) { return x.image(arb_log); }
+inline numbers::Ball sin(const numbers::Ball& x) { return x.image(arb_sin); }
+inline numbers::Ball cos(const numbers::Ball& x) { return x.image(arb_cos); }
+inline numbers::Ball tan(const numbers::Ball& x) { return x.image(arb_tan); }
+inline numbers::Ball sinh(const numbers::Ball& x) { return x.image(arb_sinh); }
+inline numbers::Ball cosh(const numbers::Ball& x) { return x.image(arb_cosh); }
+inline numbers::Ball tanh(const numbers::Ball& x) { return x.image(arb_tanh); }
 
-}  // namespace rederive
+}  // namespace rederive::numbers
 
 namespace rederive::emitted {
 template <>
-inline Ball pi<Ball>() {
-  return Ball::pi();
+inline numbers::Ball pi<numbers::Ball>() {
+  return numbers::Ball::pi();
 }
 }  // namespace rederive::emitted

@@ -11,6 +11,7 @@
 #include <stdexcept>
 
 namespace rederive::numerics {
+using namespace numbers;
 namespace {
 
 /// What a form has beside its residual.

@@ -25,7 +25,7 @@ std::vector<std::string> equations_of(Form form);
 /// What the closed forms depend on, with all known digits: omega_p/p, e, theta_0/alpha and
 /// thetadot_0/(alpha p).
 struct ExactCase {
-  Ball omega_ratio, restitution, angle, velocity;
+  numbers::Ball omega_ratio, restitution, angle, velocity;
 };
 
 /// Returns the values of `asked` as exact numbers.
@@ -34,7 +34,7 @@ ExactCase exact_case_of(const PulseCase& asked);
 /// A root of a form: amplitude = 1/sin(psi), for (103) 1/cos(psi), in units of alpha g; the times are p t;
 /// impact_time is 0 for a form without impact.
 struct ExactRoot {
-  Ball amplitude, psi, impact_time, pulse_end;
+  numbers::Ball amplitude, psi, impact_time, pulse_end;
 };
 
 /// Thrown where balls with more bits are needed for a certain answer.

@@ -9,7 +9,6 @@
 #include "peers.hpp"
 #include "timing.hpp"
 
-using namespace rederive;
 using namespace rederive::numerics;
 using namespace rederive::benchmarks;
 

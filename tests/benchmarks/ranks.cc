@@ -14,7 +14,6 @@
 
 #include "timing.hpp"
 
-using namespace rederive;
 using namespace rederive::numerics;
 using namespace rederive::numerics::commands;
 using namespace rederive::benchmarks;

@@ -9,7 +9,6 @@
 #include <emitted/rocking_block.hpp>
 #include <numerics/search/windows.hpp>
 
-using namespace rederive;
 using namespace rederive::numerics;
 
 namespace {

@@ -5,7 +5,6 @@
 
 #include "timing.hpp"
 
-using namespace rederive;
 using namespace rederive::numerics;
 using namespace rederive::benchmarks;
 

@@ -3,7 +3,8 @@
 #include <lessons/rocking_block/course.hpp>
 #include <tests/fuzz/fuzz.hpp>
 
-using namespace rederive;
+using namespace rederive::classroom;
+using namespace rederive::rocking_block;
 using namespace rederive::classroom;
 
 namespace {
@@ -13,7 +14,7 @@ std::vector<Prepared> exercises;  // the first of each kind
 }  // namespace
 
 extern "C" int LLVMFuzzerInitialize(int*, char***) {
-  for (const Exercise& exercise : read_exercises(rocking_block::course(), exercises_folder()))
+  for (const Exercise& exercise : read_exercises(rederive::rocking_block::course(), exercises_folder()))
     if (exercises.size() == static_cast<std::size_t>(exercise.kind)) exercises.push_back(prepare(exercise));
   return 0;
 }

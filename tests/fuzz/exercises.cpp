@@ -7,7 +7,9 @@
 #include <lessons/rocking_block/course.hpp>
 #include <tests/fuzz/fuzz.hpp>
 
-using namespace rederive;
+using namespace rederive::program;
+using namespace rederive::classroom;
+using namespace rederive::rocking_block;
 using namespace rederive::classroom;
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
@@ -18,7 +20,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::filesystem::path file = folder / "lesson.toml";
   std::ofstream(file, std::ios::binary) << fuzz::text_of(data, size);
   for (const char* seed : {"", "7"}) try {
-      for (const Exercise& exercise : read_exercises(rocking_block::course(), folder, seed))
+      for (const Exercise& exercise : read_exercises(rederive::rocking_block::course(), folder, seed))
         (void)prepare(exercise);
     } catch (const BadInput& error) {
       fuzz::must(fuzz::names_line_of(error.what(), file), error.what());

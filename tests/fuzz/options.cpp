@@ -5,7 +5,7 @@
 #include <numerics/commands/options.hpp>
 #include <tests/fuzz/fuzz.hpp>
 
-using namespace rederive;
+using namespace rederive::program;
 using namespace rederive::numerics;
 using namespace rederive::numerics::commands;
 

@@ -5,7 +5,6 @@
 #include <stdexcept>
 #include <tests/fuzz/fuzz.hpp>
 
-using namespace rederive;
 using namespace rederive::numerics;
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -5,12 +5,14 @@
 #include <derivations/rocking_block/paper.hpp>
 #include <tests/fuzz/fuzz.hpp>
 
-using namespace rederive;
+using namespace rederive::language;
+using namespace rederive::paper;
+using namespace rederive::rocking_block;
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string text = fuzz::text_of(data, size);
   static const Symbols symbols =
-      declared_symbols(rocking_block::paper(), {});  // every letter, and the names of the paper
+      declared_symbols(rederive::rocking_block::paper(), {});  // every letter, and the names of the paper
   try {
     const Relation read = parse_statement(text, symbols);
     const std::string printed = print(read, Notation::plain, symbols);

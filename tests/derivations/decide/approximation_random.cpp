@@ -12,7 +12,13 @@
 #include <tests/cases.hpp>
 #include <tests/random.hpp>
 
-using namespace rederive;
+using namespace rederive::language;
+using namespace rederive::numbers;
+using namespace rederive::decide;
+using namespace rederive::program;
+using namespace rederive::paper;
+using namespace rederive::rocking_block;
+using namespace rederive::test;
 
 namespace {
 

@@ -7,7 +7,12 @@
 #include <tests/block.hpp>
 #include <tests/cases.hpp>
 
-using namespace rederive;
+using namespace rederive::language;
+using namespace rederive::decide;
+using namespace rederive::program;
+using namespace rederive::paper;
+using namespace rederive::rocking_block;
+using namespace rederive::test;
 using Text = std::string;
 using Texts = std::vector<std::string>;
 

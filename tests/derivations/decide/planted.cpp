@@ -11,7 +11,11 @@
 #include <tests/cases.hpp>
 #include <tests/random.hpp>
 
-using namespace rederive;
+using namespace rederive::language;
+using namespace rederive::numbers;
+using namespace rederive::identity;
+using namespace rederive::decide;
+using namespace rederive::test;
 using cln::cl_RA;
 
 namespace {

@@ -13,7 +13,12 @@
 #include <tests/random.hpp>
 #include <tests/run_program.hpp>
 
-using namespace rederive;
+using namespace rederive::language;
+using namespace rederive::numbers;
+using namespace rederive::decide;
+using namespace rederive::paper;
+using namespace rederive::rocking_block;
+using namespace rederive::test;
 
 namespace {
 

@@ -5,7 +5,10 @@
 #include <tests/block.hpp>
 #include <tests/run_program.hpp>
 
-using namespace rederive;
+using namespace rederive::language;
+using namespace rederive::emit;
+using namespace rederive::rocking_block;
+using namespace rederive::test;
 using namespace rederive::rocking_block;
 
 TEST_CASE("the program writes the same bytes every time, to a file or not, whole or a part") {

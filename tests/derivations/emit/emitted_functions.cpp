@@ -13,7 +13,12 @@
 #include <tests/derivations/emit/compiled.hpp>
 #include <tests/random.hpp>
 
-using namespace rederive;
+using namespace rederive::language;
+using namespace rederive::numbers;
+using namespace rederive::decide;
+using namespace rederive::emit;
+using namespace rederive::rocking_block;
+using namespace rederive::test;
 using namespace rederive::rocking_block;
 
 namespace {

@@ -10,16 +10,23 @@
 #include <tests/block.hpp>
 #include <tests/derivations/emit/compiled.hpp>
 
-using namespace rederive;
-using rocking_block::emission_symbols;
-using rocking_block::taylor_steppers;
+using namespace rederive::language;
+using namespace rederive::numbers;
+using namespace rederive::decide;
+using namespace rederive::mechanics;
+using namespace rederive::program;
+using namespace rederive::emit;
+using namespace rederive::paper;
+using namespace rederive::test;
+using rederive::rocking_block::emission_symbols;
+using rederive::rocking_block::taylor_steppers;
 using namespace rederive::numerics;
 using GiNaC::ex;
 
 namespace {
 
-const SymbolExpression &x = rocking_block::theta, &v = rocking_block::thetadot, &p = rocking_block::p,
-                       &t = rocking_block::t;
+const SymbolExpression &x = rederive::rocking_block::theta, &v = rederive::rocking_block::thetadot,
+                       &p = rederive::rocking_block::p, &t = rederive::rocking_block::t;
 
 struct Trial {
   TaylorStepper stepper;
@@ -32,11 +39,12 @@ std::vector<Trial> trials() {
   for (const TaylorStepper& stepper : taylor_steppers()) all.push_back({stepper, 12});
   const auto add = [&](const std::string& name, const ex& rate, const ex& second_rate, int order) {
     all.push_back(
-        {{name, {p, rocking_block::alpha}, {{x, rate}, {v, second_rate}}, "0", "A trial", t}, order});
+        {{name, {p, rederive::rocking_block::alpha}, {{x, rate}, {v, second_rate}}, "0", "A trial", t},
+         order});
   };
   add("functions", v, pow(p, 2) * exp(sin(x)) * cosh(v * t * x), 6);
-  add("quotients", p / (1 + pow(x, 2)) - v / 2, -pow(p, 2) * pow(x, 3) / (rocking_block::alpha + cos(p * t)),
-      5);
+  add("quotients", p / (1 + pow(x, 2)) - v / 2,
+      -pow(p, 2) * pow(x, 3) / (rederive::rocking_block::alpha + cos(p * t)), 5);
   add("constants", p * (3 + exp(-2 * p * t)), -pow(p, 2) * sinh(x) / (7 * x), 6);
   return all;
 }
@@ -140,7 +148,7 @@ Stepper in_steps(Stepper stepper, long double end, int steps) {
 }
 
 template <int order>
-using InPulse = emitted::motion_in_pulse_negative<long double, order>;
+using InPulse = rederive::emitted::motion_in_pulse_negative<long double, order>;
 
 template <int order>
 InPulse<order> example() {
@@ -216,19 +224,20 @@ TEST_CASE("a motion in steps of its own choice is that which GSL finds; function
     piece.from = 0, piece.to = 1.5L, piece.amplitude = 2, piece.omega = 3,
     piece.phase = side < 0 ? 0.4L : 3.6L;
     const long double alpha = block.alpha;
-    const numerics::Point from{0, side * 0.1L, side * 0.5L};
+    const rederive::numerics::Point from{0, side * 0.1L, side * 0.5L};
     RockingIntegrator gsl(block, 1e-13);
     const auto run = [&](auto stepper) {
       stepper.start(
           alpha, 1, piece.omega, alpha * from.angle, alpha * from.velocity,
-          emitted::ground_of_sine_pulse(alpha * piece.amplitude, piece.omega, piece.phase, 0.0L),
-          emitted::quadrature_of_sine_pulse(alpha * piece.amplitude, piece.omega, piece.phase, 0.0L));
+          rederive::emitted::ground_of_sine_pulse(alpha * piece.amplitude, piece.omega, piece.phase, 0.0L),
+          rederive::emitted::quadrature_of_sine_pulse(alpha * piece.amplitude, piece.omega, piece.phase,
+                                                      0.0L));
       for (long double time = 0, h = 0; time < piece.to; time += h) {
         stepper.expand();
         h = std::min(stepper.step_size(1e-16L), piece.to - time);
         stepper.advance(h);
       }
-      const numerics::Point there = gsl.integrate(piece, side, from, piece.to);
+      const rederive::numerics::Point there = gsl.integrate(piece, side, from, piece.to);
       CHECK(std::abs(stepper.theta[0] / alpha - there.angle) < 1e-11L);
       CHECK(std::abs(stepper.thetadot[0] / alpha - there.velocity) < 1e-11L);
       CHECK(std::abs(stepper.ground[0] / alpha - ground_at(piece, piece.to)) < 1e-14L);
@@ -236,20 +245,20 @@ TEST_CASE("a motion in steps of its own choice is that which GSL finds; function
       CHECK(std::abs(stepper.cos_1[0] - std::cos(alpha - side * stepper.theta[0])) < 1e-14L);
     };
     if (side < 0)
-      run(emitted::motion_in_pulse_negative<long double, 20>());
+      run(rederive::emitted::motion_in_pulse_negative<long double, 20>());
     else
-      run(emitted::motion_in_pulse_positive<long double, 20>());
+      run(rederive::emitted::motion_in_pulse_positive<long double, 20>());
   }
 }
 
 TEST_CASE("free motion keeps its energy, and is the motion in a pulse of no amplitude") {
   const long double alpha = 0.4L;
-  emitted::free_motion_positive<long double, 20> free;
-  emitted::motion_in_pulse_positive<long double, 20> still;
+  rederive::emitted::free_motion_positive<long double, 20> free;
+  rederive::emitted::motion_in_pulse_positive<long double, 20> still;
   free.start(alpha, 1, 0.3L, -0.05L);
   still.start(alpha, 1, 2, 0.3L, -0.05L, 0, 0);
   const auto energy = [&] {
-    return emitted::rocking_energy_positive(alpha, free.theta[0], free.thetadot[0], 1.0L);
+    return rederive::emitted::rocking_energy_positive(alpha, free.theta[0], free.thetadot[0], 1.0L);
   };
   const long double before = energy();
   free = in_steps(free, 1.0L, 8), still = in_steps(still, 1.0L, 8);
@@ -260,8 +269,8 @@ TEST_CASE("free motion keeps its energy, and is the motion in a pulse of no ampl
 }
 
 TEST_CASE("the two sides mirror each other") {
-  emitted::motion_in_pulse_negative<double, 13> negative;
-  emitted::motion_in_pulse_positive<double, 13> positive;
+  rederive::emitted::motion_in_pulse_negative<double, 13> negative;
+  rederive::emitted::motion_in_pulse_positive<double, 13> positive;
   negative.start(0.25, 1, 3, -0.05, -0.3, 0.6, 0.2);
   positive.start(0.25, 1, 3, 0.05, 0.3, -0.6, -0.2);
   negative.expand(), positive.expand();
@@ -274,14 +283,15 @@ TEST_CASE("the two sides mirror each other") {
 TEST_CASE("what has no recurrence, or is unsound, is not emitted") {
   const auto emitted = [&](const ex& rate) {
     return emit({}, Target::cpp, true,
-                {{"trial", {p, rocking_block::alpha}, {{x, rate}}, "0", "A trial", t}});
+                {{"trial", {p, rederive::rocking_block::alpha}, {{x, rate}}, "0", "A trial", t}});
   };
-  CHECK(emitted(p * x * tan(rocking_block::alpha)).find("constant_1 = p * tan(alpha)") != std::string::npos);
+  CHECK(emitted(p * x * tan(rederive::rocking_block::alpha)).find("constant_1 = p * tan(alpha)") !=
+        std::string::npos);
   CHECK_THROWS_WITH(emitted(p * log(x)), doctest::Contains("log(theta)"));
   CHECK_THROWS_WITH(emitted(p * tan(x)), doctest::Contains("tan(theta)"));
   CHECK_THROWS_WITH(emitted(p * pow(x, ex(1) / 2)), doctest::Contains("theta"));
-  CHECK_THROWS_WITH(emitted(p * pow(rocking_block::alpha, x)), doctest::Contains("whole powers"));
-  CHECK_THROWS_WITH(emitted(p * rocking_block::psi),
+  CHECK_THROWS_WITH(emitted(p * pow(rederive::rocking_block::alpha, x)), doctest::Contains("whole powers"));
+  CHECK_THROWS_WITH(emitted(p * rederive::rocking_block::psi),
                     doctest::Contains("psi, which is not among its arguments"));
   CHECK_THROWS_WITH(emitted(p * p), doctest::Contains("1/s"));
   for (const Target target : {Target::c, Target::python})

@@ -6,7 +6,8 @@
 #include <random>
 #include <tests/cases.hpp>
 
-using namespace rederive;
+using namespace rederive::language;
+using namespace rederive::identity;
 using cln::cl_RA;
 
 namespace {

@@ -8,6 +8,8 @@
 #include <tests/derivations/kernel/coq_text.hpp>
 
 namespace rederive::coq {
+using namespace language;
+using namespace kernel;
 
 struct Item {
   enum class Kind { number, function, hypothesis, definition };

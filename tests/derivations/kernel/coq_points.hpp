@@ -6,6 +6,11 @@
 #include <tests/derivations/kernel/coq_values.hpp>
 
 namespace rederive::coq {
+using namespace language;
+using namespace numbers;
+using namespace decide;
+using namespace mechanics;
+using namespace program;
 
 /// The same for the same name and point everywhere.
 inline unsigned long mixed(const std::string& name, unsigned long seed) {

@@ -5,6 +5,11 @@
 #include <tests/derivations/kernel/coq_points.hpp>
 
 namespace rederive::coq {
+using namespace language;
+using namespace numbers;
+using namespace decide;
+using namespace program;
+using namespace kernel;
 
 /// A proof script as one tactic: t. { a. } b. is t; [ a | b ], and bullets are the goals of what stands
 /// before them.

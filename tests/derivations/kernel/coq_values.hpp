@@ -11,6 +11,10 @@
 #include <tests/derivations/kernel/coq_files.hpp>
 
 namespace rederive::coq {
+using namespace language;
+using namespace numbers;
+using namespace decide;
+using namespace mechanics;
 
 constexpr long bits = 480;
 inline Ball number(const cln::cl_RA& q) { return {q, bits}; }

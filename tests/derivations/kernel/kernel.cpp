@@ -14,7 +14,14 @@
 #include <tests/block.hpp>
 #include <tests/run_program.hpp>
 
-using namespace rederive;
+using namespace rederive::language;
+using namespace rederive::numbers;
+using namespace rederive::decide;
+using namespace rederive::program;
+using namespace rederive::paper;
+using namespace rederive::kernel;
+using namespace rederive::rocking_block;
+using namespace rederive::test;
 
 namespace {
 

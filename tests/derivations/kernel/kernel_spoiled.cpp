@@ -5,7 +5,9 @@
 #include <tests/derivations/kernel/coq_spoil.hpp>
 #include <tests/run_program.hpp>
 
-using namespace rederive;
+using namespace rederive::kernel;
+using namespace rederive::rocking_block;
+using namespace rederive::test;
 
 namespace {
 

@@ -13,7 +13,15 @@
 #include <tests/block.hpp>
 #include <tests/run_program.hpp>
 
-using namespace rederive;
+using namespace rederive::language;
+using namespace rederive::numbers;
+using namespace rederive::decide;
+using namespace rederive::paper;
+using namespace rederive::kernel;
+using namespace rederive::rocking_block;
+using namespace rederive::ledger;
+using namespace rederive::rocking_block;
+using namespace rederive::test;
 
 namespace {
 
@@ -164,7 +172,7 @@ std::optional<std::string> point_of(const std::vector<Relation>& hypotheses) {
 
 TEST_CASE("the hypotheses of each lemma hold at some point") {
   std::vector<Lemma> lemmas =
-      steps_of(rocking_block::paper(), entries(), [](const std::string&) { return true; });
+      steps_of(rederive::rocking_block::paper(), entries(), [](const std::string&) { return true; });
   for (const Entry& entry : entries())
     if (const auto lemma = lemma_of(entry)) lemmas.push_back(*lemma);
   int named = 0;
@@ -339,7 +347,7 @@ TEST_CASE("the theorems that claims quote are there, and about the claim that qu
   for (const Lemma& theorem : theorems().lemmas) names.insert(theorem.name);
   static const std::regex quoted_name("claim_c\\w+");
   int found = 0;
-  for (const Claim& claim : read_claims(rocking_block::claims()))
+  for (const Claim& claim : read_claims(rederive::rocking_block::claims()))
     for (const auto& [verdict, words] : claim.meaning)  // with those taken over from other claims
       for (std::sregex_iterator at(words.begin(), words.end(), quoted_name), end; at != end; ++at, ++found) {
         CHECK_MESSAGE(names.contains(at->str()), at->str());

@@ -3,7 +3,8 @@
 
 #include <tests/derivations/kernel/coq_points.hpp>
 
-using namespace rederive;
+using namespace rederive::numbers;
+using namespace rederive::test;
 
 namespace {
 

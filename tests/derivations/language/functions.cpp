@@ -8,7 +8,9 @@
 #include <derivations/numbers/interval.hpp>
 #include <set>
 
-using namespace rederive;
+using namespace rederive::language;
+using namespace rederive::numbers;
+using namespace rederive::decide;
 
 namespace {
 

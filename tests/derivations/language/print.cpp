@@ -10,7 +10,14 @@
 #include <tests/random.hpp>
 #include <tests/run_program.hpp>
 
-using namespace rederive;
+using namespace rederive::language;
+using namespace rederive::numbers;
+using namespace rederive::decide;
+using namespace rederive::mechanics;
+using namespace rederive::paper;
+using namespace rederive::rocking_block;
+using namespace rederive::page;
+using namespace rederive::test;
 using GiNaC::ex;
 
 namespace {
@@ -164,7 +171,7 @@ TEST_CASE("every printed row of the ledger reads back as it is printed, and so d
     if (row.printed.empty()) continue;  // results of our own
     for (const Tree& side : parse_statement(row.printed).sides) check_reads_back(side);
   }
-  for (const Text& id : rocking_block::paper().derivations.ids()) {
+  for (const Text& id : rederive::rocking_block::paper().derivations.ids()) {
     CAPTURE(id);
     const Derivation derivation = derivation_of(id);
     for (const ex& side : {derivation.left, derivation.right}) check_reads_back(to_tree(side));

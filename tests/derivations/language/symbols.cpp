@@ -5,7 +5,10 @@
 #include <set>
 #include <tests/block.hpp>
 
-using namespace rederive;
+using namespace rederive::language;
+using namespace rederive::numbers;
+using namespace rederive::mechanics;
+using namespace rederive::test;
 
 TEST_CASE("every symbol of the paper is fully declared, readable in ASCII, and written like no other one") {
   const Symbols& symbols = paper_symbols();

@@ -6,7 +6,11 @@
 #include <tests/cases.hpp>
 #include <tests/random.hpp>
 
-using namespace rederive;
+using namespace rederive::language;
+using namespace rederive::decide;
+using namespace rederive::program;
+using namespace rederive::paper;
+using namespace rederive::test;
 using Text = std::string;
 
 namespace {

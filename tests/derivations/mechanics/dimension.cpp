@@ -4,7 +4,10 @@
 #include <tests/block.hpp>
 #include <tests/cases.hpp>
 
-using namespace rederive;
+using namespace rederive::language;
+using namespace rederive::mechanics;
+using namespace rederive::paper;
+using namespace rederive::test;
 
 TEST_CASE("statements have a unit, or the terms that disagree are named") {
   each_case("units", [](std::string text, std::string unit) {

@@ -4,7 +4,10 @@
 #include <derivations/mechanics/plane.hpp>
 #include <tests/identities.hpp>
 
-using namespace rederive;
+using namespace rederive::numbers;
+using namespace rederive::mechanics;
+using namespace rederive::rocking_block;
+using namespace rederive::test;
 using namespace rederive::rocking_block;
 using GiNaC::ex;
 

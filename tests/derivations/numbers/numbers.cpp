@@ -11,7 +11,8 @@
 #include <sstream>
 #include <tests/cases.hpp>
 
-using namespace rederive;
+using namespace rederive::language;
+using namespace rederive::numbers;
 using cln::cl_RA;
 using Is = Value::Is;
 

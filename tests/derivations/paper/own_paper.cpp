@@ -5,7 +5,12 @@
 #include <tests/cases.hpp>
 #include <tests/derivations/paper/own_paper.hpp>
 
-using namespace rederive;
+using namespace rederive::language;
+using namespace rederive::mechanics;
+using namespace rederive::paper;
+using namespace rederive::rocking_block;
+using namespace rederive::page;
+using namespace rederive::ledger;
 namespace fs = std::filesystem;
 using GiNaC::ex;
 using Json = nlohmann::json;

@@ -22,9 +22,9 @@ inline std::string row(const std::string& id, const std::string& printed, const 
 
 /// The paper of this process. It borrows the letters of the rocking block; a test declares what else it
 /// needs.
-inline rederive::Paper& own_paper() {
-  static rederive::Paper paper = [] {
-    rederive::Paper made{.title = "A paper", .equations = "paper.toml"};
+inline rederive::paper::Paper& own_paper() {
+  static rederive::paper::Paper paper = [] {
+    rederive::paper::Paper made{.title = "A paper", .equations = "paper.toml"};
     made.declare(rederive::rocking_block::all_symbols());
     made.free_letters = {"t", "r", "d"};
     return made;
@@ -40,7 +40,7 @@ inline void declare(const char* name, const char* range = "(-inf, inf)", const c
 struct PaperOfATest {
   std::function<void()> declare;  ///< declares its symbols
   std::string toml;
-  std::vector<std::pair<std::string, rederive::Derive>> derivations;
+  std::vector<std::pair<std::string, rederive::mechanics::Derive>> derivations;
 };
 
 /// Runs `body` in a child process, in a folder of its own, and brings back what it writes and its exit code.
@@ -75,7 +75,7 @@ inline Result run_paper(const PaperOfATest& paper, std::vector<std::string> argu
       for (const auto& [id, derive] : paper.derivations) own_paper().derivations.add(id, derive);
       return own_paper();
     };
-    return rederive::run_ledger(declared, static_cast<int>(argv.size()), argv.data());
+    return rederive::ledger::run_ledger(declared, static_cast<int>(argv.size()), argv.data());
   });
 }
 inline Result run_paper(const PaperOfATest& paper, const std::vector<std::string>& arguments) {

@@ -45,7 +45,7 @@ std::vector<Text> hostile_texts() {
 
 /// Runs one of our programs with no more than 560 MB for each process; what takes more, or hangs, is ended.
 Result run_bounded(const Text& program, Cells arguments) {
-  const Text limits = rederive::is_watched() ? "ulimit -t 3600" : "ulimit -t 600 -v 560000";
+  const Text limits = rederive::program::is_watched() ? "ulimit -t 3600" : "ulimit -t 600 -v 560000";
   arguments.insert(arguments.begin(),
                    {"-c", limits + "; exec '" REDERIVE_PROGRAMS "'/\"$0\" \"$@\"", program});
   return run_program("/bin/bash", arguments);

@@ -6,7 +6,13 @@
 #include <tests/block.hpp>
 #include <tests/run_program.hpp>
 
-using namespace rederive;
+using namespace rederive::language;
+using namespace rederive::decide;
+using namespace rederive::program;
+using namespace rederive::paper;
+using namespace rederive::rocking_block;
+using namespace rederive::ledger;
+using namespace rederive::test;
 
 namespace {
 
@@ -17,7 +23,7 @@ std::vector<TableRow> rows_of_the_table() {
 }  // namespace
 
 TEST_CASE("every row of the table has the verdict that it should have") {
-  const auto decided = decide_table(rocking_block::paper(), rows_of_the_table());
+  const auto decided = decide_table(rederive::rocking_block::paper(), rows_of_the_table());
   CHECK(decided.size() >= 800);
   for (const auto& [its_row, verdict, its_reason] : decided) {
     const auto& row = its_row;

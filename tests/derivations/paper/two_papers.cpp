@@ -8,7 +8,13 @@
 #include <derivations/rocking_block/paper.hpp>
 #include <nlohmann/json.hpp>
 
-using namespace rederive;
+using namespace rederive::language;
+using namespace rederive::numbers;
+using namespace rederive::decide;
+using namespace rederive::mechanics;
+using namespace rederive::program;
+using namespace rederive::paper;
+using namespace rederive::rocking_block;
 
 namespace {
 
@@ -51,7 +57,7 @@ Verdict proved_in(const Paper& paper, const std::string& left, const std::string
 }  // namespace
 
 TEST_CASE("two papers are judged in turn, each as when it is alone") {
-  const Paper &block = rocking_block::paper(), first = lengths(), second = rates();
+  const Paper &block = rederive::rocking_block::paper(), first = lengths(), second = rates();
   std::map<std::string, std::string> alone;
   for (const char* id : {"1", "2"}) alone[std::string("lengths ") + id] = found(lengths(), id);
   for (const char* id : {"1", "2"}) alone[std::string("rates ") + id] = found(rates(), id);
@@ -79,9 +85,9 @@ TEST_CASE("each paper has its own ranges, and no paper has the letters of anothe
     CHECK(proved_in(second, "sqrt(alpha^2)", "-alpha") == Verdict::proved);
     CHECK(proved_in(first, "sqrt(alpha^2)", "-alpha") == Verdict::refuted);
     CHECK(proved_in(first, "fabs(theta - alpha)", "alpha - theta") == Verdict::proved);
-    CHECK(proved_in(rocking_block::paper(), "cos(alpha)", "fabs(cos(alpha))") == Verdict::proved);
+    CHECK(proved_in(rederive::rocking_block::paper(), "cos(alpha)", "fabs(cos(alpha))") == Verdict::proved);
     CHECK(proved_in(first, "cos(alpha)", "fabs(cos(alpha))") == Verdict::refuted);
-    CHECK(proved_in(rocking_block::paper(), "sqrt(p^2)", "p") == Verdict::proved);
+    CHECK(proved_in(rederive::rocking_block::paper(), "sqrt(p^2)", "p") == Verdict::proved);
     CHECK(proved_in(first, "sqrt(p^2)", "p") == Verdict::refuted);  // any real number there
   }
   CHECK(first.symbols.find("theta_0") == nullptr);

@@ -21,7 +21,7 @@
 #include <thread>
 #include <vector>
 
-using namespace rederive;
+using namespace rederive::program;
 
 namespace {
 

@@ -91,7 +91,7 @@ TEST_CASE("few files and little memory are enough, or are an error that is told"
   const TemporaryFolder folder;
   each_case("commands", [&](Text command) {
     for (const char* limit : {"ulimit -n 10", "ulimit -v 90000", "ulimit -u 60"}) {
-      if (rederive::is_watched() && limit[8] == 'v') continue;
+      if (rederive::program::is_watched() && limit[8] == 'v') continue;
       const Result r = run(folder, Text(limit) + " && " + command);
       INFO(limit << ": " << r.err);
       CHECK(r.exit_code >= 0);

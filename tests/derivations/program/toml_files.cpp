@@ -14,7 +14,13 @@
 #include <tests/random.hpp>
 #include <tests/run_program.hpp>
 
-using namespace rederive;
+using namespace rederive::decide;
+using namespace rederive::program;
+using namespace rederive::paper;
+using namespace rederive::rocking_block;
+using namespace rederive::ledger;
+using namespace rederive::classroom;
+using namespace rederive::test;
 namespace fs = std::filesystem;
 using Text = std::string;
 
@@ -42,11 +48,11 @@ struct TomlFile {
 };
 
 std::vector<Claim> claims_in(const TomlFile& file) {
-  return read_claims({.file = file.path(), .checks = rocking_block::claims().checks});
+  return read_claims({.file = file.path(), .checks = rederive::rocking_block::claims().checks});
 }
 
-std::vector<classroom::Exercise> exercises_in(const TomlFile& file) {
-  return classroom::read_exercises(rocking_block::course(), file.folder.path);
+std::vector<rederive::classroom::Exercise> exercises_in(const TomlFile& file) {
+  return rederive::classroom::read_exercises(rederive::rocking_block::course(), file.folder.path);
 }
 
 void read_tables(const TomlFile& file) { (void)tables_of(file.path(), "row"); }
@@ -91,13 +97,13 @@ TEST_CASE("a file is refused with the line of what it should not have: keys, typ
   check_section("ledger_cycles", read_ledger);
   check_section("claims", [](const TomlFile& file) { (void)claims_in(file); });
   check_section("judged_claims", [](const TomlFile& file) {
-    for (const Claim& one : claims_in(file)) (void)judge(one, rocking_block::claims());
+    for (const Claim& one : claims_in(file)) (void)judge(one, rederive::rocking_block::claims());
   });
   check_section("statements", [](const TomlFile& file) { (void)read_table(file.path()); });
   check_section("exercises", [](const TomlFile& file) { (void)exercises_in(file); });
   check_section("varying_exercises", [](const TomlFile& file) { (void)exercises_in(file); });
   check_section("prepared_exercises", [](const TomlFile& file) {
-    for (const auto& one : exercises_in(file)) (void)classroom::prepare(one);
+    for (const auto& one : exercises_in(file)) (void)rederive::classroom::prepare(one);
   });
 }
 

@@ -6,7 +6,12 @@
 #include <set>
 #include <tests/block.hpp>
 
-using namespace rederive;
+using namespace rederive::decide;
+using namespace rederive::mechanics;
+using namespace rederive::program;
+using namespace rederive::paper;
+using namespace rederive::rocking_block;
+using namespace rederive::test;
 using namespace rederive::rocking_block;
 
 TEST_CASE("every number from (1) to (104) has a row, and each row but a definition is derived") {

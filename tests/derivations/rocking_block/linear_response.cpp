@@ -3,7 +3,12 @@
 #include <derivations/rocking_block/initial_conditions.hpp>
 #include <tests/identities.hpp>
 
-using namespace rederive;
+using namespace rederive::language;
+using namespace rederive::numbers;
+using namespace rederive::decide;
+using namespace rederive::mechanics;
+using namespace rederive::rocking_block;
+using namespace rederive::test;
 using namespace rederive::rocking_block;
 using GiNaC::ex;
 using GiNaC::lst;

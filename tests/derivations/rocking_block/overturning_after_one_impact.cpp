@@ -3,7 +3,11 @@
 #include <derivations/rocking_block/overturning_after_one_impact.hpp>
 #include <tests/identities.hpp>
 
-using namespace rederive;
+using namespace rederive::language;
+using namespace rederive::numbers;
+using namespace rederive::mechanics;
+using namespace rederive::rocking_block;
+using namespace rederive::test;
 using namespace rederive::rocking_block;
 using GiNaC::ex;
 using GiNaC::lst;

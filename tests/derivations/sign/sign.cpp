@@ -8,7 +8,10 @@
 #include <random>
 #include <tests/cases.hpp>
 
-using namespace rederive;
+using namespace rederive::language;
+using namespace rederive::numbers;
+using namespace rederive::identity;
+using namespace rederive::sign;
 using cln::cl_RA;
 
 namespace {

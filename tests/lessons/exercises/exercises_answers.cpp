@@ -10,7 +10,13 @@
 
 #include "classroom.hpp"
 
-using namespace rederive;
+using namespace rederive::language;
+using namespace rederive::decide;
+using namespace rederive::mechanics;
+using namespace rederive::paper;
+using namespace rederive::rocking_block;
+using namespace rederive::page;
+using namespace rederive::classroom;
 using namespace rederive::classroom;
 
 namespace {
@@ -197,7 +203,7 @@ TEST_CASE("no brace of a template, and no right answer, is in what a student is 
   const std::filesystem::path nowhere =
       std::filesystem::temp_directory_path() / "no-such-progress-of-exercises";
   for (const std::string seed : {"", "1", "2", "3", "4"}) {
-    const Classroom room{rocking_block::course(), exercises(seed), nowhere};
+    const Classroom room{rederive::rocking_block::course(), exercises(seed), nowhere};
     std::string page = page_of_exercises(room, {{"lesson-01", "One\n"}});
     page.erase(page.rfind("<script"));
     for (std::size_t at; (at = page.find("<style>")) != std::string::npos;)

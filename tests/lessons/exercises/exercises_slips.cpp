@@ -9,8 +9,11 @@
 
 #include "classroom.hpp"
 
-using namespace rederive;
+using namespace rederive::language;
+using namespace rederive::paper;
 using namespace rederive::classroom;
+using namespace rederive::classroom;
+using namespace rederive::test;
 
 namespace {
 

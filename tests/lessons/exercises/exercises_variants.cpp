@@ -7,7 +7,10 @@
 
 #include "classroom.hpp"
 
-using namespace rederive;
+using namespace rederive::decide;
+using namespace rederive::program;
+using namespace rederive::rocking_block;
+using namespace rederive::classroom;
 using namespace rederive::classroom;
 namespace fs = std::filesystem;
 
@@ -27,19 +30,19 @@ TEST_CASE("a range beside other names in a table gives all its values") {
 
 TEST_CASE("texts are filled in, and what cannot be is refused") {
   const Choice choice{{"b", "0.35"}, {"what", "a wall"}};
-  CHECK(filled("{what}, {200*b} cm: {b}^2", choice, rocking_block::paper().symbols) ==
+  CHECK(filled("{what}, {200*b} cm: {b}^2", choice, rederive::rocking_block::paper().symbols) ==
         "a wall, 70 cm: 0.35^2");
-  CHECK_THROWS(filled("{b}", {}, rocking_block::paper().symbols));
-  CHECK_THROWS(filled("b}", choice, rocking_block::paper().symbols));
+  CHECK_THROWS(filled("{b}", {}, rederive::rocking_block::paper().symbols));
+  CHECK_THROWS(filled("b}", choice, rederive::rocking_block::paper().symbols));
   CHECK(values_of("0.6:0.9:0.1") == std::vector<std::string>{"0.6", "0.7", "0.8", "0.9"});
   CHECK(values_of("1:3:1") == std::vector<std::string>{"1", "2", "3"});
   CHECK(values_of("a ratio of 1:2") == std::vector<std::string>{"a ratio of 1:2"});
   CHECK(values_of(".:.:.") == std::vector<std::string>{".:.:."});
   for (const char* range : {"1.08:0.2:0.01", "1:2:0", "0:1000000:0.001"})
     CHECK_THROWS_WITH_AS(values_of(range), doctest::Contains("must be FROM:TO:STEP"), std::runtime_error);
-  CHECK_THROWS(filled("{b", choice, rocking_block::paper().symbols));
-  CHECK_THROWS(filled("{h}", choice, rocking_block::paper().symbols));
-  CHECK_THROWS(filled("{b +}", choice, rocking_block::paper().symbols));
+  CHECK_THROWS(filled("{b", choice, rederive::rocking_block::paper().symbols));
+  CHECK_THROWS(filled("{h}", choice, rederive::rocking_block::paper().symbols));
+  CHECK_THROWS(filled("{b +}", choice, rederive::rocking_block::paper().symbols));
 }
 
 TEST_CASE(

@@ -9,8 +9,14 @@
 
 #include "classroom.hpp"
 
-using namespace rederive;
+using namespace rederive::language;
+using namespace rederive::decide;
+using namespace rederive::program;
+using namespace rederive::paper;
+using namespace rederive::page;
 using namespace rederive::classroom;
+using namespace rederive::classroom;
+using namespace rederive::test;
 
 namespace {
 

@@ -6,7 +6,10 @@
 #include <nlohmann/json.hpp>
 #include <tests/derivations/paper/own_paper.hpp>
 
-using namespace rederive;
+using namespace rederive::language;
+using namespace rederive::mechanics;
+using namespace rederive::paper;
+using namespace rederive::rocking_block;
 using GiNaC::ex;
 using Json = nlohmann::json;
 
@@ -14,7 +17,8 @@ namespace {
 
 ex inertia() {
   const ex L = symbol("L");
-  return integral(pow(rocking_block::x, 2) * rocking_block::m / L, rocking_block::x, 0, L);
+  return integral(pow(rederive::rocking_block::x, 2) * rederive::rocking_block::m / L,
+                  rederive::rocking_block::x, 0, L);
 }
 
 ex acceleration() {
@@ -28,8 +32,8 @@ ex acceleration() {
 /// The rod of the guide, with more rows.
 PaperOfATest rod() {
   const auto frequency = []() -> Derivation {
-    const ex linear = taylor(acceleration(), {rocking_block::theta}, 1);
-    return derived(symbol("omega_0"), sqrt(-linear.coeff(rocking_block::theta, 1)), {});
+    const ex linear = taylor(acceleration(), {rederive::rocking_block::theta}, 1);
+    return derived(symbol("omega_0"), sqrt(-linear.coeff(rederive::rocking_block::theta, 1)), {});
   };
   return {[] {
             declare("L", "(0, inf)", "m"), declare("J", "(0, inf)", "kg*m^2");

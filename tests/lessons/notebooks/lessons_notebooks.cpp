@@ -9,7 +9,9 @@
 #include <tests/cases.hpp>
 #include <tests/run_program.hpp>
 
-using namespace rederive;
+using namespace rederive::language;
+using namespace rederive::rocking_block;
+using namespace rederive::page;
 using nlohmann::json;
 
 namespace {
@@ -99,9 +101,9 @@ TEST_CASE(
 }
 
 TEST_CASE("without the module the cells run the commands, and the first cell says so") {
-  Page page(rocking_block::paper());
+  Page page(rederive::rocking_block::paper());
   page.commands({"build/bin/rocking threshold --omega 2", "build/bin/exercises show barrier"});
-  Setting setting{.paper = rocking_block::paper(), .format = Format::notebook};
+  Setting setting{.paper = rederive::rocking_block::paper(), .format = Format::notebook};
   const auto notebook = [&] {
     return json::parse(rendered({"T", {{"Teaches", "t"}, {"Builds on", "b"}}}, page.blocks(), setting));
   };

@@ -7,7 +7,12 @@
 #include <stdexcept>
 #include <tests/block.hpp>
 
-namespace rederive {
+namespace rederive::test {
+using namespace language;
+using namespace numbers;
+using namespace decide;
+using namespace program;
+using namespace paper;
 
 class LatexReader {
  public:
@@ -157,4 +162,4 @@ class LatexReader {
   std::size_t at_ = 0;
 };
 
-}  // namespace rederive
+}  // namespace rederive::test

@@ -7,7 +7,13 @@
 #include <regex>
 #include <tests/block.hpp>
 
-using namespace rederive;
+using namespace rederive::language;
+using namespace rederive::numbers;
+using namespace rederive::decide;
+using namespace rederive::paper;
+using namespace rederive::rocking_block;
+using namespace rederive::page;
+using namespace rederive::test;
 
 TEST_CASE("paragraphs are parted by blank lines, and white space inside them does not matter") {
   CHECK(paragraphs("  one\n  two \n\n three ") == std::vector<std::string>{"one two", "three"});
@@ -80,10 +86,11 @@ TEST_CASE("the pieces of a formula, joined, are the formula") {
 }
 
 TEST_CASE("words without marks get them where a name can be nothing else") {
-  CHECK(marked("the dots over u_g are lost", rocking_block::paper()) == "the dots over $u_g$ are lost");
-  CHECK(marked("cos(alpha - theta) is a cosine", rocking_block::paper()) ==
+  CHECK(marked("the dots over u_g are lost", rederive::rocking_block::paper()) ==
+        "the dots over $u_g$ are lost");
+  CHECK(marked("cos(alpha - theta) is a cosine", rederive::rocking_block::paper()) ==
         "$cos(alpha - theta)$ is a cosine");
-  CHECK(marked("a*b `c` and a_word", rocking_block::paper()) == "a·b 'c' and a_word");
+  CHECK(marked("a*b `c` and a_word", rederive::rocking_block::paper()) == "a·b 'c' and a_word");
 }
 
 TEST_CASE("lines are wrapped by columns, not by bytes") {
@@ -176,7 +183,7 @@ TEST_CASE("every function, every symbol and every printed row has MathML, of whi
 }
 
 TEST_CASE("special cases are put into derived and printed equations alike") {
-  const Page page(rocking_block::paper());
+  const Page page(rederive::rocking_block::paper());
   CHECK(print(page.derived_with("13", {{"theta", "0"}})) == "y_c = 0");
   CHECK(page.number_of(page.derived("46b").right, {{"alpha", "pi/2"}}) == doctest::Approx(-0.5));
   CHECK_THROWS_AS(page.number_of(page.derived("46b").right), std::invalid_argument);

@@ -10,7 +10,6 @@
 #include <stdexcept>
 #include <tuple>
 
-using namespace rederive;
 using namespace rederive::numerics;
 
 namespace {

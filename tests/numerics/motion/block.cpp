@@ -6,7 +6,6 @@
 #include <numerics/motion/block.hpp>
 #include <stdexcept>
 
-using namespace rederive;
 using namespace rederive::numerics;
 
 TEST_CASE("a block is given by its stockiness or by its size") {

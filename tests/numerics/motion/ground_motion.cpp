@@ -9,7 +9,6 @@
 #include <stdexcept>
 #include <tests/run_program.hpp>
 
-using namespace rederive;
 using namespace rederive::numerics;
 
 namespace {

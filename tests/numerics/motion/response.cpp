@@ -10,7 +10,6 @@
 #include <stdexcept>
 #include <utility>
 
-using namespace rederive;
 using namespace rederive::numerics;
 
 namespace {

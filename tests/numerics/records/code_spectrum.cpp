@@ -4,7 +4,6 @@
 #include <numerics/records/code_spectrum.hpp>
 #include <stdexcept>
 
-using namespace rederive;
 using namespace rederive::numerics;
 
 TEST_CASE("EN 1998-1 Table 3.2 has grounds A to E") {

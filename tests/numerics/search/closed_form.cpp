@@ -7,7 +7,7 @@
 #include <numerics/search/closed_form.hpp>
 #include <numerics/search/windows.hpp>
 
-using namespace rederive;
+using namespace rederive::numbers;
 using namespace rederive::numerics;
 
 namespace {

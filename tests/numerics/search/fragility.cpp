@@ -6,7 +6,6 @@
 #include <random>
 #include <stdexcept>
 
-using namespace rederive;
 using namespace rederive::numerics;
 
 namespace {

@@ -2,7 +2,6 @@
 
 #include <numerics/search/grid.hpp>
 
-using namespace rederive;
 using namespace rederive::numerics;
 
 TEST_CASE("a map holds the outcome of each point, whatever the number of threads") {

@@ -3,7 +3,6 @@
 #include <numerics/search/grid.hpp>
 #include <stdexcept>
 
-using namespace rederive;
 using namespace rederive::numerics;
 
 TEST_CASE("a spectrum is its windows, whatever the number of threads") {
