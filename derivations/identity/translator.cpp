@@ -2,7 +2,6 @@
 #include <derivations/identity/translator.hpp>
 #include <derivations/language/functions.hpp>
 #include <derivations/language/syntax.hpp>
-#include <map>
 #include <utility>
 
 namespace rederive::identity {
