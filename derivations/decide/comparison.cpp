@@ -5,7 +5,6 @@
 
 namespace rederive::decide {
 using namespace language;
-using namespace numbers;
 using namespace identity;
 using namespace sign;
 

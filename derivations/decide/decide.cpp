@@ -6,7 +6,6 @@
 #include <derivations/decide/points.hpp>
 
 namespace rederive::decide {
-using namespace language;
 using namespace numbers;
 using namespace identity;
 using namespace sign;
