@@ -41,6 +41,30 @@ const std::map<std::string, std::set<std::string>> allowed{
     {"numerics/pictures", {"numerics/search"}},
     {"numerics/commands", {"numerics/pictures"}}};
 
+/// The namespace of each folder.
+const std::map<std::string, std::string> namespaces{{"language", "rederive::language"},
+                                                    {"numbers", "rederive::numbers"},
+                                                    {"identity", "rederive::identity"},
+                                                    {"sign", "rederive::sign"},
+                                                    {"decide", "rederive::decide"},
+                                                    {"mechanics", "rederive::mechanics"},
+                                                    {"program", "rederive::program"},
+                                                    {"emit", "rederive::emit"},
+                                                    {"paper", "rederive::paper"},
+                                                    {"kernel", "rederive::kernel"},
+                                                    {"rocking_block", "rederive::rocking_block"},
+                                                    {"numerics/motion", "rederive::numerics"},
+                                                    {"numerics/search", "rederive::numerics"},
+                                                    {"numerics/records", "rederive::numerics"},
+                                                    {"numerics/pictures", "rederive::numerics"},
+                                                    {"numerics/commands", "rederive::numerics::commands"},
+                                                    {"lessons/page", "rederive::page"},
+                                                    {"lessons/ledger", "rederive::ledger"},
+                                                    {"lessons/exercises", "rederive::classroom"},
+                                                    {"lessons/illustrations", "rederive::illustrations"},
+                                                    {"lessons/python", "rederive::python"},
+                                                    {"lessons/rocking_block", "rederive::rocking_block"}};
+
 /// Whether `folder` may include `other`.
 bool may_include(const std::string& folder, const std::string& other) {
   if (folder == other) return true;
@@ -191,6 +215,17 @@ TEST_CASE("what is written for any paper never reaches the built-in one") {
       INFO(file << " -> " << other);
       CHECK_FALSE(folder_of(other).ends_with("rocking_block"));
     }
+  }
+}
+
+TEST_CASE("every file of a folder opens the namespace of the folder, unless it has a main function alone") {
+  for (const std::string& file : files()) {
+    const std::string folder = folder_of(file), text = text_of(file);
+    if (folder == "lessons" || contains(text, "\nint main(")) continue;
+    CAPTURE(file);
+    REQUIRE(namespaces.contains(folder));
+    const std::string opened = "\nnamespace " + namespaces.at(folder);
+    CHECK((contains(text, opened + " {") || contains(text, opened + "::")));
   }
 }
 

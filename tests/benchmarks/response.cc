@@ -23,7 +23,7 @@ PulseCase asked(Model model) {
 
 int pendulum(double t, const double state[], double rate[], void*) {
   rate[0] = state[1];
-  rate[1] = emitted::angular_acceleration_negative(0.25, 1.0, state[0], 0.25 * 3 * std::sin(2 * t + 0.35));
+  rate[1] = rederive::emitted::angular_acceleration_negative(0.25, 1.0, state[0], 0.25 * 3 * std::sin(2 * t + 0.35));
   return 0;
 }
 
@@ -66,7 +66,7 @@ void windows(benchmark::State& state, Model model) {
 }
 
 BENCHMARK_CAPTURE(right_hand_side, emitted, [](double alpha, double theta, double ground) {
-  return emitted::angular_acceleration_negative(alpha, 1.0, theta, ground);
+  return rederive::emitted::angular_acceleration_negative(alpha, 1.0, theta, ground);
 });
 BENCHMARK_CAPTURE(right_hand_side, by_hand, by_hand);
 BENCHMARK(peer_gsl_driver);

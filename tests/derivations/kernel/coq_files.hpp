@@ -72,7 +72,7 @@ inline std::size_t end_of_sentence(const std::string& text, std::size_t at) {
 class File {
  public:
   explicit File(const std::string& name) : name_(name) {
-    const std::string text = without_comments(theorem_file(name));
+    const std::string text = without_comments(test::theorem_file(name));
     for (std::size_t at = 0; (at = text.find_first_not_of(" \n", at)) != std::string::npos;) {
       const std::size_t end = end_of_sentence(text, at);
       read(text, at, end);
@@ -93,7 +93,7 @@ class File {
       if (is_theorem_) theorems.back().proof = end + 1;
     } else if (head == "From" && tokens[1].text == "Rederive") {
       for (const Token& token : tokens) {
-        if (std::ranges::count(rederive::theorems().files, token.text + ".v") == 0) continue;
+        if (std::ranges::count(test::theorems().files, token.text + ".v") == 0) continue;
         const File imported(token.text + ".v");
         items_.insert(items_.end(), imported.items_.begin(), imported.items_.end());
       }
@@ -190,7 +190,7 @@ class File {
 inline const std::vector<Theorem>& theorems() {
   static const std::vector<Theorem> all = [] {
     std::vector<Theorem> result;
-    for (const std::string& name : rederive::theorems().files)
+    for (const std::string& name : test::theorems().files)
       for (Theorem& theorem : File(name).theorems) result.push_back(std::move(theorem));
     return result;
   }();

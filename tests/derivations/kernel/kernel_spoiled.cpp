@@ -20,14 +20,16 @@ struct Spoiled {
   std::string kind, statement;
 };
 /// One that is false at some point.
-std::optional<Spoiled> spoiled(const coq::Theorem& theorem, const std::string& statement, std::size_t turn) {
+std::optional<Spoiled> spoiled(const rederive::coq::Theorem& theorem, const std::string& statement,
+                               std::size_t turn) {
   static const std::vector<std::string> kinds{"sign", "hypothesis", "factor", "function"};
   for (std::size_t k = 0; k < kinds.size(); ++k) {
     const std::string& kind = kinds[(k + turn) % kinds.size()];
     int tried = 0;
-    for (const std::string& slip : coq::slips_in(statement, kind)) {
+    for (const std::string& slip : rederive::coq::slips_in(statement, kind)) {
       if (++tried > 4) break;
-      if (coq::counterexample(coq::with_statement(theorem, slip, theorem.around))) return Spoiled{kind, slip};
+      if (rederive::coq::counterexample(rederive::coq::with_statement(theorem, slip, theorem.around)))
+        return Spoiled{kind, slip};
     }
   }
   return std::nullopt;
@@ -36,20 +38,22 @@ std::optional<Spoiled> spoiled(const coq::Theorem& theorem, const std::string& s
 /// A file with spoiled theorems before the right ones, whose proofs have the same form; from the end, so that
 /// places stay.
 std::string with_spoiled(const std::string& name, std::map<std::string, int>& kinds) {
-  std::string text = coq::without_comments(theorem_file(name));
-  const auto theorems = coq::File(name).theorems;
+  std::string text = rederive::coq::without_comments(theorem_file(name));
+  const auto theorems = rederive::coq::File(name).theorems;
   for (std::size_t k = theorems.size(); k-- > 0;) {
-    const coq::Theorem& theorem = theorems[k];
-    const std::size_t full_stop = coq::end_of_sentence(text, theorem.words);
+    const rederive::coq::Theorem& theorem = theorems[k];
+    const std::size_t full_stop = rederive::coq::end_of_sentence(text, theorem.words);
     const auto slip = spoiled(theorem, text.substr(theorem.words, full_stop - theorem.words), k);
     if (!slip) continue;
     ++kinds[slip->kind];
-    const std::string tactic = coq::Script(text.substr(theorem.proof, theorem.end - theorem.proof)).tactic(),
+    const std::string tactic = rederive::coq::Script(text.substr(theorem.proof, theorem.end - theorem.proof))
+                                   .tactic(),
                       head = text.substr(theorem.start, theorem.words - theorem.start),
                       right = text.substr(theorem.start, full_stop - theorem.start);
     text.replace(theorem.start, theorem.end - theorem.start,
-                 coq::head_of(theorem, head) + slip->statement + ".\nProof.\nassert_fails (solve [ " +
-                     tactic + " ]).\nAbort.\n" + right + ".\nProof.\nsolve [ " + tactic + " ].\n");
+                 rederive::coq::head_of(theorem, head) + slip->statement +
+                     ".\nProof.\nassert_fails (solve [ " + tactic + " ]).\nAbort.\n" + right +
+                     ".\nProof.\nsolve [ " + tactic + " ].\n");
   }
   return text;
 }

@@ -324,7 +324,9 @@ TEST_CASE("a theorem that derives rows has them in its statement, and starts fro
 }
 
 TEST_CASE("a placeholder writes a row as Coq reads it, and says what is wrong with it") {
-  const auto right_row = [](const std::string& id) { return right_form(rocking_block::paper(), id); };
+  const auto right_row = [](const std::string& id) {
+    return right_form(rederive::rocking_block::paper(), id);
+  };
   const auto written = [&](const std::string& text) {
     return with_rows(paper_symbols(), right_row, {"theta"}, text);
   };

@@ -31,14 +31,14 @@ const std::set<std::string> proved_to_exist{"threshold_of_the_motion", "claim_c5
 
 TEST_CASE("the hypotheses of a theorem written by hand hold at some point") {
   int named = 0;
-  for (const coq::Theorem& theorem : coq::theorems()) {
+  for (const rederive::coq::Theorem& theorem : rederive::coq::theorems()) {
     if (proved_to_exist.contains(theorem.name)) continue;
-    const coq::Parts parts = coq::parts_of(theorem);
+    const rederive::coq::Parts parts = rederive::coq::parts_of(theorem);
     const auto found = motions.find(theorem.name);
     const auto known = found == motions.end() ? std::map<std::string, std::string>{} : found->second;
     std::optional<std::string> point;
     for (unsigned long seed = 1; seed < 60 && !point; ++seed) {
-      coq::Solver solver(theorem, parts, seed, known);
+      rederive::coq::Solver solver(theorem, parts, seed, known);
       if (!solver.meets_all()) continue;
       point = solver.point();
       CHECK_MESSAGE(solver.world.holds(parts.conclusion) != false, theorem.name << " fails at" << *point);

@@ -32,7 +32,7 @@ std::vector<Text> hostile_texts() {
   }
   texts.insert(texts.end(), {sum, product, sines, "(" + sum + ")^10", "1/(" + sum + ")^3", "sin(" + sum + ")",
                              "tan(" + sum + ")", "sqrt(" + sum + ")", "(" + sines + ")^5"});
-  rederive::Choices random(3);
+  rederive::test::Choices random(3);
   const Text letters = "xyzsincotaexplgqrt()()()+-*/^^0123456789. ,=<>_pi";
   for (int k = 0; k < 150; ++k) {
     Text text;

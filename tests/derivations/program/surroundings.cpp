@@ -61,7 +61,7 @@ TEST_CASE("what others wrote into a name reaches no terminal") {
   fs::create_directories(folder.path / "class" / (name + "dir"));
   write_file(folder.path / "class" / (name + "dir") / "momentum.txt", "1\n");
   each_case("names", [&](Text call) {
-    call = rederive::classroom::filled(call, {{"NAME", word}, {"PROGRAMS", REDERIVE_PROGRAMS}});
+    call = rederive::test::filled(call, {{"NAME", word}, {"PROGRAMS", REDERIVE_PROGRAMS}});
     const Result r = run(folder, call);
     INFO(r.out << r.err);
     CHECK(r.exit_code <= 3);

@@ -67,7 +67,7 @@ TEST_CASE("a page says the same in every format") {
        {Format::unicode, Format::plain, Format::latex, Format::markdown, Format::notebook, Format::html}) {
     CAPTURE(static_cast<int>(format));
     const std::string page = rendered({"The title", {{"About", "itself"}}}, passages,
-                                      {.paper = rocking_block::paper(), .format = format});
+                                      {.paper = rederive::rocking_block::paper(), .format = format});
     for (const std::string& part : words) CHECK_MESSAGE(page.find(part) != std::string::npos, part);
   }
 }

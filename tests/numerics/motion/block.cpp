@@ -56,11 +56,11 @@ TEST_CASE("the two sides mirror each other") {
 TEST_CASE("the emitted derivative of the angular acceleration passes a Taylor test") {
   // The remainder f(x+h) - f(x) - h f'(x) falls by four when h is halved.
   const Real alpha = 0.25L, p = 1, ground = 0.7L, theta = -0.1L;
-  const auto at = emitted::angular_acceleration_negative_with_derivatives(alpha, p, theta, ground);
+  const auto at = rederive::emitted::angular_acceleration_negative_with_derivatives(alpha, p, theta, ground);
   Real before = 0;
   for (int i = 0; i < 6; ++i) {
     const Real h = std::ldexp(0.05L, -i);
-    const Real rest = std::abs(emitted::angular_acceleration_negative(alpha, p, theta + h, ground) -
+    const Real rest = std::abs(rederive::emitted::angular_acceleration_negative(alpha, p, theta + h, ground) -
                                at.value - h * at.d_theta);
     if (i > 2) CHECK(before / rest == doctest::Approx(4).epsilon(0.05));
     before = rest;

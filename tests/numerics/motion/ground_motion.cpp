@@ -92,7 +92,7 @@ TEST_CASE("records are read in their usual layouts") {
   const Record peer = read_record(written(folder,
                                           "PEER NGA\nSomewhere\nACCELERATION IN UNITS OF G\n"
                                           "NPTS=    5, DT=   .0050 SEC,\n .1E-01 -.2E-01 .3 \n .4 .5\n"),
-                                  RecordUnit::metres_per_second_squared);
+                                  {.unit = RecordUnit::metres_per_second_squared});
   CHECK(peer.acceleration == std::vector<double>{0.01, -0.02, 0.3, 0.4, 0.5});
   CHECK(peer.time[4] == doctest::Approx(0.02));
 }

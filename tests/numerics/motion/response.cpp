@@ -26,8 +26,9 @@ Response response_to(Model model, double omega_ratio, double amplitude, InitialS
 
 Real energy(const Block& block, int side, const Point& at) {
   const Real alpha = block.alpha, one = 1;
-  return side < 0 ? emitted::rocking_energy_negative(alpha, alpha * at.angle, alpha * at.velocity, one)
-                  : emitted::rocking_energy_positive(alpha, alpha * at.angle, alpha * at.velocity, one);
+  return side < 0
+             ? rederive::emitted::rocking_energy_negative(alpha, alpha * at.angle, alpha * at.velocity, one)
+             : rederive::emitted::rocking_energy_positive(alpha, alpha * at.angle, alpha * at.velocity, one);
 }
 
 }  // namespace

@@ -303,17 +303,18 @@ TEST_CASE("the margins of free motion are those of the emitted energy") {
   const Real one = 1;
   const Block block = make_block(0.4, 2.14, 0.9);
   const Real theta_alpha = -static_cast<Real>(block.alpha),
-             barrier = emitted::rocking_energy_negative<Real>(block.alpha, theta_alpha, 0, one);
+             barrier = rederive::emitted::rocking_energy_negative<Real>(block.alpha, theta_alpha, 0, one);
   for (Real y : {0.0L, 0.3L, 0.9L, 1.4L}) {
     const Margins at_rest = free_motion_margins(block, Model::nonlinear, -1, {0, -y, 0});
     // On the separatrix the energy is the barrier; the velocity needed is minus the margin at rest.
     const Real needed = -at_rest.outward * block.alpha;
-    const Real total = emitted::rocking_energy_negative<Real>(block.alpha, -block.alpha * y, -needed, one);
+    const Real total =
+        rederive::emitted::rocking_energy_negative<Real>(block.alpha, -block.alpha * y, -needed, one);
     CHECK(static_cast<double>(total) == doctest::Approx(static_cast<double>(barrier)).epsilon(1e-14));
     // The impact velocity has all the energy.
     const Margins inward = free_motion_margins(block, Model::nonlinear, -1, {0, -y, 1.5L});
-    const Real energy =
-        emitted::rocking_energy_negative<Real>(block.alpha, -block.alpha * y, 1.5L * block.alpha, one);
+    const Real energy = rederive::emitted::rocking_energy_negative<Real>(block.alpha, -block.alpha * y,
+                                                                         1.5L * block.alpha, one);
     const Real returning = 0.9L * std::sqrt(2 * energy) - std::sqrt(2 * barrier);
     CHECK(static_cast<double>(inward.returning * block.alpha) ==
           doctest::Approx(static_cast<double>(returning)).epsilon(1e-14));
