@@ -14,8 +14,11 @@ endforeach()
 install(TARGETS rederive_options rederive_emitted ${libraries} EXPORT RederiveTargets
         ARCHIVE DESTINATION lib COMPONENT development)
 install(EXPORT RederiveTargets NAMESPACE rederive:: DESTINATION lib/cmake/Rederive COMPONENT development)
-install(DIRECTORY derivations numerics lessons DESTINATION include/rederive COMPONENT development
-        FILES_MATCHING PATTERN *.hpp PATTERN workbench EXCLUDE PATTERN commands EXCLUDE)
+include(.setup/public_headers.cmake)
+foreach(header ${public_headers})
+  get_filename_component(folder ${header} DIRECTORY)
+  install(FILES ${header} DESTINATION include/rederive/${folder} COMPONENT development)
+endforeach()
 install(FILES ${PROJECT_BINARY_DIR}/emitted/rocking_block.hpp DESTINATION include/rederive/emitted COMPONENT development)
 
 configure_file(.setup/RederiveConfig.cmake.in RederiveConfig.cmake @ONLY)

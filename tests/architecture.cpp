@@ -222,6 +222,8 @@ TEST_CASE("every file of a folder opens the namespace of the folder, unless it h
   for (const std::string& file : files()) {
     const std::string folder = folder_of(file), text = text_of(file);
     if (folder == "lessons" || contains(text, "\nint main(")) continue;
+    // This header adds functions of Ball, which argument-dependent lookup finds in the namespace of Ball.
+    if (file == "numerics/search/ball_functions.hpp") continue;
     CAPTURE(file);
     REQUIRE(namespaces.contains(folder));
     const std::string opened = "\nnamespace " + namespaces.at(folder);

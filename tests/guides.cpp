@@ -52,16 +52,19 @@ const fs::path& changed_programs() {
                block("lessons/README.md", "## Add a lesson", "cpp"));
     make_project(folder.path,
                  "find_package(Rederive 1.0 REQUIRED COMPONENTS rocking_block_lessons)\n"
-                 "add_executable(ledger kinematics.cpp " REDERIVE_LEDGER_MAIN
-                 ")\n"
-                 "target_link_libraries(ledger PRIVATE rederive::rocking_block_lessons)\n"
-                 "add_executable(emit dialect.cpp " REDERIVE_EMIT_MAIN
-                 ")\n"
-                 "target_include_directories(emit BEFORE PRIVATE .)\n"
-                 "target_link_libraries(emit PRIVATE rederive::rocking_block)\n"
-                 "add_executable(lesson-13-the-size-of-the-block lesson-13-the-size-of-the-block.cpp)\n"
-                 "target_link_libraries(lesson-13-the-size-of-the-block PRIVATE rederive::lessons "
-                 "rederive::rocking_block)\n");
+                 "include_directories(" +
+                     source +
+                     ")\n"  // with the headers that are not installed
+                     "add_executable(ledger kinematics.cpp " REDERIVE_LEDGER_MAIN
+                     ")\n"
+                     "target_link_libraries(ledger PRIVATE rederive::rocking_block_lessons)\n"
+                     "add_executable(emit dialect.cpp " REDERIVE_EMIT_MAIN
+                     ")\n"
+                     "target_include_directories(emit BEFORE PRIVATE .)\n"
+                     "target_link_libraries(emit PRIVATE rederive::rocking_block)\n"
+                     "add_executable(lesson-13-the-size-of-the-block lesson-13-the-size-of-the-block.cpp)\n"
+                     "target_link_libraries(lesson-13-the-size-of-the-block PRIVATE rederive::lessons "
+                     "rederive::rocking_block)\n");
     said(folder.path, "cp b/ledger b/emit b/lesson-13* " + quoted(prefix() / "bin"));
     return prefix() / "bin";
   }();

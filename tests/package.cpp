@@ -1,6 +1,8 @@
 // What is built is installed, moved and packed, and others build on it as the READMEs say.
 #include <doctest/doctest.h>
 
+#include <regex>
+#include <sstream>
 #include <tests/installed.hpp>
 
 namespace {
@@ -54,6 +56,22 @@ TEST_CASE("what is installed names no folder of the machine on which it was buil
     REQUIRE(fs::is_directory(prefix() / folder));
   CHECK(said(prefix(), "grep -rlF -e " + quoted(source) + " -e " + quoted(build) +
                            " bin share include lib/cmake lib/pkgconfig || [ $? = 1 ]") == "");
+}
+
+TEST_CASE("the public headers include public headers alone") {
+  const fs::path headers = prefix() / "include/rederive";
+  const std::regex include("^#include <((derivations|numerics|lessons|emitted)/.*)>");
+  int count = 0;
+  for (const auto& entry : fs::recursive_directory_iterator(headers)) {
+    if (!entry.is_regular_file()) continue;
+    std::istringstream lines(read_file(entry.path()));
+    std::smatch match;
+    for (std::string line; std::getline(lines, line);)
+      if (std::regex_search(line, match, include))
+        CHECK_MESSAGE(fs::exists(headers / match[1].str()), entry.path(), " includes ", match[1].str());
+    ++count;
+  }
+  CHECK(count > 50);
 }
 
 TEST_CASE("a project finds the numerics, without GiNaC, CLN or Z3") {

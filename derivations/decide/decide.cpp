@@ -17,7 +17,6 @@ std::string to_string(Verdict verdict) {
 }
 
 namespace {
-
 constexpr Effort few{6, 1, 200}, many{310, 24, 1800};
 
 Proof undecided(std::string reason) { return {.reason = std::move(reason)}; }

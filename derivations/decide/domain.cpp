@@ -8,11 +8,8 @@
 
 namespace rederive::decide {
 using namespace language;
-using namespace numbers;
 using namespace identity;
-
 namespace {
-
 bool has_symbols_only(const Ring& ring, const Polynomial& p) {
   return std::ranges::all_of(p.used(), [&](int k) { return ring.generators()[k].function.empty(); });
 }

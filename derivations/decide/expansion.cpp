@@ -8,14 +8,12 @@
 
 namespace rederive::decide {
 using namespace language;
-using namespace numbers;
 using namespace identity;
 using namespace sign;
 
 using GiNaC::ex;
 
 namespace {
-
 /// A series as a Laurent polynomial in the size, known below a power.
 struct Series {
   ex terms;

@@ -37,7 +37,6 @@ void collect_landmarks(const Tree& tree, std::vector<cl_RA>& landmarks) {
 }
 
 namespace {
-
 /// Values of a symbol: small numbers first, and ends and multiples of pi, which are easily overlooked.
 struct Candidates {
   std::vector<cl_RA> plain;

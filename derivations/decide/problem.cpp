@@ -67,7 +67,6 @@ Tree difference(const Tree& a, const Tree& b) {
 }
 
 namespace {
-
 bool is_within(const Tree& tree, const Interval& bounds, const Symbols& symbols) {
   if (bounds.low.infinite != 0 && bounds.high.infinite != 0) return true;
   try {

@@ -12,7 +12,6 @@ using namespace numbers;
 using cln::cl_RA;
 
 namespace {
-
 /// Returns a value that is 0 where an equation holds: the difference of its sides, or a factor beside 0.
 Tree residual_of(const Tree& a, const Tree& b, int attempt) {
   const auto is_zero = [](const Tree& t) {

@@ -14,7 +14,6 @@ using namespace numbers;
 using cln::cl_RA;
 
 namespace {
-
 std::string rational_text(const cl_RA& value) { return fmt::to_string(fmt::streamed(value)); }
 
 /// Returns digits of a value; "no value" if there certainly is none, "" if that is not known.

@@ -4,7 +4,6 @@
 
 namespace rederive::identity {
 using namespace language;
-using namespace numbers;
 
 Fraction Ring::function(const std::string& f, const Fraction& of, int degree, const Fraction& value) {
   return generator(f, of, [&] {

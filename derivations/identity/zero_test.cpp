@@ -4,9 +4,7 @@
 
 namespace rederive::identity {
 using namespace numbers;
-
 namespace {
-
 /// Returns whether d = -e·g, from d² = e²·g² and the signs.
 bool vanishes_by_conjugates(const Ring& ring, const Polynomial& p, int depth) {
   if (p.is_zero()) return true;

@@ -4,9 +4,7 @@
 #include <string>
 
 namespace rederive::language {
-
 namespace {
-
 using GiNaC::ex;
 using enum Function::Kind;
 using enum Function::Parity;

@@ -2,13 +2,11 @@
 
 #include <cstdint>
 #include <derivations/language/lexer.hpp>
-#include <derivations/language/unicode.hpp>
+#include <derivations/language/text.hpp>
 #include <utility>
 
 namespace rederive::language {
-
 namespace {
-
 /// The code points of a text, with a 0 at the end, and the byte at which each begins.
 struct Characters {
   std::u32string codes;

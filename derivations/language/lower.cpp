@@ -2,9 +2,7 @@
 #include <derivations/language/lower.hpp>
 
 namespace rederive::language {
-
 namespace {
-
 using GiNaC::ex;
 using GiNaC::is_a;
 using GiNaC::numeric;

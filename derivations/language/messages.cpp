@@ -1,13 +1,11 @@
 // The messages about a text that cannot be read.
 #include <derivations/language/functions.hpp>
 #include <derivations/language/lexer.hpp>
-#include <derivations/language/nearest.hpp>
 #include <derivations/language/print.hpp>
+#include <derivations/language/text.hpp>
 
 namespace rederive::language {
-
 namespace {
-
 /// Returns our name of a function that has another name elsewhere: "asin" for "arcsin"; "" for other words.
 std::string function_elsewhere(std::string_view name) {
   const std::string word = " " + lower_case(name) + " ";

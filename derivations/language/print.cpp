@@ -2,12 +2,10 @@
 // them, so that printed text reads back as the same tree.
 #include <derivations/language/functions.hpp>
 #include <derivations/language/print.hpp>
-#include <derivations/language/unicode.hpp>
+#include <derivations/language/text.hpp>
 
 namespace rederive::language {
-
 namespace {
-
 using Kind = Node::Kind;
 
 /// The place of a part of a tree, which decides whether it needs parentheses.

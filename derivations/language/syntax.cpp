@@ -9,9 +9,7 @@
 #include <utility>
 
 namespace rederive::language {
-
 namespace {
-
 using Kind = Node::Kind;
 using Is = Token::Kind;
 

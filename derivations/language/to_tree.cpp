@@ -10,9 +10,7 @@
 #include <utility>
 
 namespace rederive::language {
-
 namespace {
-
 using GiNaC::ex;
 using GiNaC::is_a;
 using GiNaC::numeric;

@@ -3,7 +3,7 @@
 #include <derivations/language/lower.hpp>
 #include <derivations/language/print.hpp>
 #include <derivations/language/syntax.hpp>
-#include <derivations/language/unicode.hpp>
+#include <derivations/language/text.hpp>
 #include <derivations/mechanics/dimension.hpp>
 #include <sstream>
 

@@ -5,9 +5,7 @@
 
 namespace rederive::numbers {
 using namespace language;
-
 namespace {
-
 using cln::cl_RA;
 
 constexpr long bits = 96;

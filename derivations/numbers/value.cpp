@@ -4,9 +4,7 @@
 
 namespace rederive::numbers {
 using namespace language;
-
 namespace {
-
 using cln::cl_I;
 using cln::cl_RA;
 using Is = Value::Is;

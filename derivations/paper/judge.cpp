@@ -1,7 +1,8 @@
+#include <algorithm>
 #include <derivations/paper/corrections.hpp>
 #include <derivations/paper/ledger.hpp>
+#include <set>
 #include <string_view>
-#include <unordered_map>
 
 namespace rederive::paper {
 using namespace language;
@@ -12,22 +13,16 @@ namespace {
 
 /// Returns the ids of all rows that follow from `id`, directly or through other rows.
 std::vector<std::string> downstream(const std::string& id, const std::vector<Row>& rows) {
-  std::unordered_map<std::string_view, bool> is_reached;
-  for (const Row& row : rows) is_reached[row.id] = row.id == id;
-  std::vector<std::string> ids;
-  for (bool grown = true; grown;) {
-    grown = false;
-    ids.clear();
-    for (const Row& row : rows) {
-      bool& is_row_reached = is_reached[row.id];
-      for (const std::string& from : row.follows_from) {
-        if (is_row_reached || !is_reached[from]) continue;
-        is_row_reached = true;
-        grown = true;
-      }
-      if (is_row_reached && row.id != id) ids.push_back(row.id);
-    }
+  std::set<std::string_view> reached{id};
+  for (std::size_t before = 0; before != reached.size();) {
+    before = reached.size();
+    for (const Row& row : rows)
+      if (std::ranges::any_of(row.follows_from, [&](const auto& from) { return reached.contains(from); }))
+        reached.insert(row.id);
   }
+  std::vector<std::string> ids;
+  for (const Row& row : rows)
+    if (row.id != id && reached.contains(row.id)) ids.push_back(row.id);
   return ids;
 }
 

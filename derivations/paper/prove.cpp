@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <derivations/decide/decide.hpp>
-#include <derivations/language/unicode.hpp>
+#include <derivations/language/text.hpp>
 #include <derivations/paper/conditions.hpp>
 #include <derivations/paper/prove.hpp>
 #include <regex>

@@ -1,5 +1,5 @@
 #include <algorithm>
-#include <derivations/language/unicode.hpp>
+#include <derivations/language/text.hpp>
 #include <derivations/program/bad_input.hpp>
 
 namespace rederive::program {

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <derivations/language/nearest.hpp>
+#include <derivations/language/text.hpp>
 #include <derivations/program/program.hpp>
 #include <functional>
 #include <limits>

@@ -16,7 +16,6 @@ using namespace identity;
 using cln::cl_RA;
 
 namespace {
-
 constexpr std::size_t most_columns = 260, most_rows = 240, most_facts = 16;
 constexpr int most_steps = 2000;  // of the simplex method
 

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 #include <atomic>
-#include <derivations/language/unicode.hpp>
+#include <derivations/language/text.hpp>
 #include <derivations/program/bounded.hpp>
 #include <derivations/program/program.hpp>
 #include <future>

@@ -8,7 +8,7 @@
 #include <cerrno>
 #include <charconv>
 #include <cstdlib>
-#include <derivations/language/unicode.hpp>
+#include <derivations/language/text.hpp>
 #include <derivations/program/program.hpp>
 #include <lessons/exercises/student_files.hpp>
 #include <sstream>

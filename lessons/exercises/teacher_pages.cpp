@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <cctype>
-#include <derivations/language/unicode.hpp>
+#include <derivations/language/text.hpp>
 #include <derivations/program/program.hpp>
 #include <functional>
 #include <lessons/exercises/in_page.hpp>

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cctype>
 #include <derivations/language/functions.hpp>
-#include <derivations/language/unicode.hpp>
+#include <derivations/language/text.hpp>
 #include <lessons/page/prose.hpp>
 #include <lessons/page/render.hpp>
 #include <map>

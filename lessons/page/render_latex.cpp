@@ -2,7 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <derivations/language/unicode.hpp>
+#include <derivations/language/text.hpp>
 #include <derivations/program/bad_input.hpp>
 #include <lessons/page/prose.hpp>
 #include <lessons/page/render.hpp>

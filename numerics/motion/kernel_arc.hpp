@@ -2,8 +2,8 @@
 #pragma once
 
 #include <emitted/rocking_block.hpp>
+#include <numerics/motion/arc.hpp>
 #include <numerics/motion/kernel_case.hpp>
-#include <numerics/motion/response.hpp>
 
 namespace rederive::numerics {
 

@@ -6,7 +6,7 @@
 
 #include <functional>
 #include <memory>
-#include <numerics/motion/response.hpp>
+#include <numerics/motion/arc.hpp>
 #include <vector>
 
 namespace rederive::numerics {
