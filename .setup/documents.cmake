@@ -8,7 +8,7 @@ set(about_exercises "exercises on the rocking block, judged and graded")
 # Each subcommand has its own manual page: man rocking map.
 set(subcommands_of_ledger show certify errata claims mutate graph prove)
 set(subcommands_of_rocking threshold response spectrum map fragility figure)
-set(subcommands_of_exercises list show check hint solution reset serve watch grade selftest)
+set(subcommands_of_exercises list show check hint solution reset serve pages watch grade selftest)
 find_program(HELP2MAN help2man)
 # Adds the manual page of a program or of a subcommand, whose --help says what it is about.
 function(manual_page program subcommand)

@@ -5,7 +5,8 @@
 
 namespace rederive::classroom {
 
-/// Watches DIR/<exercise id>.txt until the student quits; `once`: looks once. Returns the exit code.
+/// Judges DIR/ID.txt again whenever it changes, for the id of each exercise, until the student quits; `once`:
+/// looks once. Returns the exit code.
 int watch(const Classroom& room, const std::string& folder, bool once);
 
 }  // namespace rederive::classroom

@@ -89,8 +89,9 @@ int show_claims(const Paper& paper, const Claims& claims, const std::string& id,
   }
   if (is_lively(2)) fmt::print(stderr, "\r{:<8}\r", "");
   const Setting setting{.paper = paper, .width = 100, .lively = is_lively(1)};
-  const std::string text =
+  std::string text =
       json ? claims_json(judged).dump(2) + "\n" : make_renderer(setting)->passages(claims_passages(judged));
+  if (text.starts_with('\n')) text.erase(0, 1);  // nothing is above the first claim
   std::fputs(text.c_str(), stdout);
   const bool fine =
       std::all_of(judged.begin(), judged.end(), [](const JudgedClaim& one) { return one.as_expected(); });

@@ -70,7 +70,7 @@ std::vector<Passage> sheet(const std::vector<Entry>& wrong, const Paper& paper) 
     Findings found{
         .headline = entry.row.section + (entry.row.error.empty() ? "" : ": " + entry.row.error),
         .lines = {{.label = "printed", .formula = parse_statement(entry.row.printed, paper.symbols)},
-                  {.label = "correct", .formula = parse_statement(entry.correction, paper.symbols)}},
+                  {.label = "corrected", .formula = parse_statement(entry.correction, paper.symbols)}},
         .kind = "ledger refuted",
         .row = entry.row.id};
     const auto add = [&](const std::string& label, const std::string& words) {

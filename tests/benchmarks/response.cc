@@ -23,7 +23,8 @@ PulseCase asked(Model model) {
 
 int pendulum(double t, const double state[], double rate[], void*) {
   rate[0] = state[1];
-  rate[1] = rederive::emitted::angular_acceleration_negative(0.25, 1.0, state[0], 0.25 * 3 * std::sin(2 * t + 0.35));
+  rate[1] = rederive::emitted::angular_acceleration_negative(0.25, 1.0, state[0],
+                                                             0.25 * 3 * std::sin(2 * t + 0.35));
   return 0;
 }
 
