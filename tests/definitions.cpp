@@ -19,10 +19,11 @@ struct Function {
 
 /// Returns the functions that ctags finds in the C++ files of some folders below `root`.
 std::vector<Function> functions_in(const fs::path& root, const std::string& folders) {
-  const Result tags = run_script(
-      root, "find " + folders +
-                " -name '*.[ch]pp' | sort | ctags -L - --languages=C++ --langmap=C++:.cpp.hpp --kinds-C++=fp "
-                "--fields=+e --output-format=xref --_xformat=$'%{input}\\t%N\\t%K\\t%n\\t%e'");
+  const Result tags =
+      run_script(root, "find " + folders +
+                           " -name '*.[ch]pp' -o -name '*.cc' | sort | ctags -L - --languages=C++ "
+                           "--langmap=C++:.cpp.hpp.cc --kinds-C++=fp "
+                           "--fields=+e --output-format=xref --_xformat=$'%{input}\\t%N\\t%K\\t%n\\t%e'");
   REQUIRE_MESSAGE(tags.exit_code == 0, tags.err);
   std::vector<Function> functions;
   std::istringstream lines(tags.out);

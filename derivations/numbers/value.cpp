@@ -58,7 +58,7 @@ Ball::Ball(const cl_RA& q, long bits) : Ball(0, bits) {
   arb_fmpz_div_fmpz(x_, Integer(cln::numerator(q)).z, Integer(cln::denominator(q)).z, bits);
 }
 
-Ball::operator cl_RA() const {
+Ball::operator cln::cl_RA() const {
   if (!is_moderate()) throw std::domain_error("the ball is too large or too small to be written");
   Integer mantissa, exponent;
   arf_get_fmpz_2exp(mantissa.z, exponent.z, arb_midref(x_));
