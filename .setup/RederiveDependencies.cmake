@@ -20,6 +20,9 @@ find_dependency(PkgConfig)
 find_dependency(Threads)
 find_dependency(fmt)
 
+# The filter of system calls for what judges the answers of students.
+rederive_module(SECCOMP libseccomp)
+
 # Balls. Arb has no pkg-config file; Debian calls it flint-arb.
 rederive_module(MPFR mpfr)
 find_library(ARB_LIBRARY NAMES flint-arb arb)

@@ -72,7 +72,7 @@ set(CPACK_DEBIAN_DEVELOPMENT_DESCRIPTION "motion of rocking blocks, and proofs o
  a rigid block to ground motion, and a prover for identities, equations and
  inequalities. The recommended packages are for the proofs alone.")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS
-    "rederive (= ${PROJECT_VERSION}), libgsl-dev, libmpfr-dev, libflint-arb-dev, libflint-dev, libfmt-dev")
+    "rederive (= ${PROJECT_VERSION}), libgsl-dev, libmpfr-dev, libseccomp-dev, libflint-arb-dev, libflint-dev, libfmt-dev")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_RECOMMENDS "libginac-dev, libcln-dev, libglpk-dev, libgmp-dev, \
 libtomlplusplus-dev, nlohmann-json3-dev, pkgconf")
 

@@ -1,16 +1,9 @@
+#include <seccomp.h>
 #include <sys/resource.h>
 
-#if defined(__linux__) && (defined(__x86_64__) || defined(__aarch64__))
-#include <linux/audit.h>
-#include <linux/filter.h>
-#include <linux/seccomp.h>
-#include <sys/prctl.h>
-#include <sys/syscall.h>
-
+#include <algorithm>
 #include <cerrno>
-#include <cstddef>
-#include <vector>
-#endif
+#include <memory>
 #if __has_include(<valgrind/valgrind.h>)
 #include <valgrind/valgrind.h>
 #else
@@ -22,45 +15,28 @@
 namespace rederive::program {
 namespace {
 
-#if defined(__linux__) && (defined(__x86_64__) || defined(__aarch64__))
 /// Restricts this thread to allocating memory, reading the time, waiting, writing to `report`, and ending.
 /// Every other system call fails with EPERM. Returns false if the system has no such filter (seccomp).
 bool allow_computing_only(int report) {
-#if defined(__x86_64__)
-  constexpr unsigned machine = AUDIT_ARCH_X86_64;
-#else
-  constexpr unsigned machine = AUDIT_ARCH_AARCH64;
-#endif
-  const auto load = [](std::size_t offset) {
-    return sock_filter BPF_STMT(BPF_LD | BPF_W | BPF_ABS, static_cast<unsigned>(offset));
+  const std::unique_ptr<void, decltype(&seccomp_release)> filter(seccomp_init(SCMP_ACT_ERRNO(EPERM)),
+                                                                 seccomp_release);
+  const auto allow = [&](int call) { return seccomp_rule_add(filter.get(), SCMP_ACT_ALLOW, call, 0) == 0; };
+  // A descriptor is an int, so the upper half of the register does not count.
+  const auto allow_with = [&](int call, unsigned argument, int descriptor) {
+    constexpr scmp_datum_t lower = 0xFFFFFFFF;
+    return seccomp_rule_add(filter.get(), SCMP_ACT_ALLOW, call, 1,
+                            SCMP_CMP(argument, SCMP_CMP_MASKED_EQ, lower, descriptor & lower)) == 0;
   };
-  const auto unless = [](auto value, unsigned char skip) {
-    return sock_filter BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, static_cast<unsigned>(value), 0, skip);
-  };
-  const sock_filter allow = BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ALLOW),
-                    refuse = BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ERRNO | EPERM);
-  std::vector<sock_filter> filter{load(offsetof(seccomp_data, arch)),
-                                  BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, machine, 1, 0), refuse,
-                                  load(offsetof(seccomp_data, nr))};
-  for (const long call :
-       {SYS_brk, SYS_munmap, SYS_mremap, SYS_mprotect, SYS_madvise, SYS_futex, SYS_clock_gettime,
-        SYS_clock_getres, SYS_gettimeofday, SYS_clock_nanosleep, SYS_nanosleep, SYS_restart_syscall,
-        SYS_getpid, SYS_getrusage, SYS_rt_sigreturn, SYS_exit, SYS_exit_group})
-    filter.insert(filter.end(), {unless(call, 1), allow});
-  const auto allow_with = [&](long call, std::size_t argument, auto value) {
-    filter.insert(filter.end(), {unless(call, 4), load(offsetof(seccomp_data, args) + 8 * argument),
-                                 unless(value, 1), allow, refuse});
-  };
-  allow_with(SYS_mmap, 4, -1);  // memory, and no file
-  allow_with(SYS_write, 0, report);
-  filter.push_back(refuse);
-  const sock_fprog program{static_cast<unsigned short>(filter.size()), filter.data()};
-  return ::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) == 0 &&
-         ::prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &program) == 0;
+  constexpr int calls[] = {
+      SCMP_SYS(brk),          SCMP_SYS(munmap),          SCMP_SYS(mremap),        SCMP_SYS(mprotect),
+      SCMP_SYS(madvise),      SCMP_SYS(futex),           SCMP_SYS(clock_gettime), SCMP_SYS(clock_getres),
+      SCMP_SYS(gettimeofday), SCMP_SYS(clock_nanosleep), SCMP_SYS(nanosleep),     SCMP_SYS(restart_syscall),
+      SCMP_SYS(getpid),       SCMP_SYS(getrusage),       SCMP_SYS(rt_sigreturn),  SCMP_SYS(exit),
+      SCMP_SYS(exit_group)};
+  return filter && seccomp_attr_set(filter.get(), SCMP_FLTATR_ACT_BADARCH, SCMP_ACT_ERRNO(EPERM)) == 0 &&
+         std::ranges::all_of(calls, allow) && allow_with(SCMP_SYS(mmap), 4, -1) &&  // memory, and no file
+         allow_with(SCMP_SYS(write), 0, report) && seccomp_load(filter.get()) == 0;
 }
-#else
-bool allow_computing_only(int) { return false; }
-#endif
 
 }  // namespace
 
