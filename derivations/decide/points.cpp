@@ -78,8 +78,8 @@ Candidates candidates(const Interval& range, const std::vector<cl_RA>& landmarks
   std::vector<Constant> special{{}};
   for (const End* end : {&range.low, &range.high})
     if (end->infinite == 0) special.push_back(*end);
-  for (const char* q : {"1/2", "1", "1/6", "1/4", "1/3", "-1/2", "2/3", "-1/6", "3/2", "-1/4", "2"})
-    special.push_back({0, q});
+  static const cl_RA turns[] = {"1/2", "1", "1/6", "1/4", "1/3", "-1/2", "2/3", "-1/6", "3/2", "-1/4", "2"};
+  for (const cl_RA& q : turns) special.push_back({0, q});
   std::ranges::copy_if(special, std::back_inserter(result.special),
                        [&](const Constant& c) { return range.contains(c); });
   return result;

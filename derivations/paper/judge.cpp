@@ -1,8 +1,8 @@
-#include <algorithm>
 #include <derivations/paper/corrections.hpp>
 #include <derivations/paper/ledger.hpp>
 #include <set>
 #include <string_view>
+#include <unordered_map>
 
 namespace rederive::paper {
 using namespace language;
@@ -13,12 +13,15 @@ namespace {
 
 /// Returns the ids of all rows that follow from `id`, directly or through other rows.
 std::vector<std::string> downstream(const std::string& id, const std::vector<Row>& rows) {
+  std::unordered_multimap<std::string_view, std::string_view> followers;
+  for (const Row& row : rows)
+    for (const std::string& from : row.follows_from) followers.emplace(from, row.id);
   std::set<std::string_view> reached{id};
-  for (std::size_t before = 0; before != reached.size();) {
-    before = reached.size();
-    for (const Row& row : rows)
-      if (std::ranges::any_of(row.follows_from, [&](const auto& from) { return reached.contains(from); }))
-        reached.insert(row.id);
+  for (std::vector<std::string_view> open{id}; !open.empty();) {
+    const std::string_view next = open.back();
+    open.pop_back();
+    for (auto [at, last] = followers.equal_range(next); at != last; ++at)
+      if (reached.insert(at->second).second) open.push_back(at->second);
   }
   std::vector<std::string> ids;
   for (const Row& row : rows)
