@@ -17,7 +17,7 @@ struct EmittedFunction {
   GiNaC::ex value;  ///< in the arguments alone
   std::vector<language::SymbolExpression>
       derivatives;       ///< name_with_derivatives also returns d_psi … for these
-  std::string equation;  ///< the ledger row it stands for: "21a"
+  std::string equation;  ///< the id of the row that it computes: "21a"
   std::string brief;     ///< one line of documentation
 };
 

@@ -16,7 +16,7 @@ struct TaylorStepper {
   std::string name;                                    ///< "rocking_in_pulse_negative"
   std::vector<language::SymbolExpression> parameters;  ///< constant in time
   mechanics::Rates rates;                              ///< the state, in order, each with its rate
-  std::string equation;                                ///< the ledger row it stands for: "21a"
+  std::string equation;                                ///< the id of the row that it solves: "21a"
   std::string brief;                                   ///< one line of documentation
   language::SymbolExpression time;                     ///< the independent variable t
 };

@@ -42,7 +42,7 @@ class Script {
   decide::Problem problem_;
   decide::Comparison known_;
   language::Symbols names_;
-  std::vector<std::pair<std::string, std::string>> phases_;  ///< name, and what it stands for
+  std::vector<std::pair<std::string, std::string>> phases_;  ///< name and value
   std::vector<std::string> arguments_, facts_;
   std::string names_of_facts_;
   std::vector<language::Tree> roots_;

@@ -97,7 +97,7 @@ class Tokenizer {
     if (text.size() > 4 * limits.characters || characters_.codes.size() > limits.characters + 1)
       throw SyntaxError("too_long", characters_.codes.empty() ? 0 : byte(limits.characters),
                         "the text is longer than " + std::to_string(limits.characters) + " characters");
-    const bool is_ascii = std::ranges::max(characters_.codes) < 0x80;  // then no Greek letter stands in it
+    const bool is_ascii = std::ranges::max(characters_.codes) < 0x80;  // then it has no Greek letter
     for (const auto& [name, symbol] : symbols.table()) {
       if (is_ascii && (symbol.unicode[0] & 0x80) != 0) continue;
       if (symbols.find(symbol.unicode) != nullptr) continue;  // a name is read as the symbol of that name

@@ -11,7 +11,7 @@ using Kind = Node::Kind;
 /// The place of a part of a tree, which decides whether it needs parentheses.
 enum class Place {
   whole,     ///< anything: a side, an argument
-  term,      ///< a term after the first, or what a leading minus stands before: products and less
+  term,      ///< a term after the first, or the operand of a leading minus: products and less
   factor,    ///< powers and less
   exponent,  ///< numbers, names and calls
 };

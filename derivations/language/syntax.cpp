@@ -175,7 +175,7 @@ class Parser {
     if (take_if("(")) {
       const Tree inside = sum();
       close(token);
-      return std::make_shared<const Node>(*inside);  // no run of what stands around it
+      return std::make_shared<const Node>(*inside);  // not a run of what surrounds it
     }
     if (!take_if("sqrt")) refuse_operand();
     go_down();

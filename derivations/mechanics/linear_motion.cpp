@@ -22,7 +22,7 @@ ex taylor(const ex& f, const std::vector<SymbolExpression>& small, int order) {
 
 namespace {
 
-using Functions = GiNaC::exmap;  // a function of time → the symbol that stands for it
+using Functions = GiNaC::exmap;  // a function of time → its symbol
 
 bool is_function_of(const ex& e, const SymbolExpression& time) {
   return (GiNaC::is_the_function<GiNaC::sin_SERIAL>(e) || GiNaC::is_the_function<GiNaC::cos_SERIAL>(e)) &&

@@ -16,7 +16,7 @@ language::Tree call(const std::string& name, const language::Tree& argument);
 std::size_t size_of(const language::Tree& tree);
 /// The part of a product from one factor to another: b/c of a*b/c.
 language::Tree part_of(const language::Tree& product, std::size_t first, std::size_t last);
-/// The first and the last factor of each such part; nothing where the tree is no product.
+/// The first and the last factor of each such part; nothing if the tree is not a product.
 std::vector<std::pair<std::size_t, std::size_t>> runs_of(const language::Tree& tree);
 /// The tree with another function in the place of each.
 language::Tree with_functions(const language::Tree& tree,

@@ -72,7 +72,7 @@ Relation read_assumption(const std::string& text, const Symbols& symbols) {
       throw BadInput("the assumption '" + text + "' must be a relation such as x > 0");
     return relation;
   }
-  // the right side is read where it stands, so that an error is shown there
+  // the right side is read at its place, so that an error is shown there
   const auto side = [&](const std::string& it) { return reading(text, [&] { return parse(it, symbols); }); };
   return {{side(text.substr(0, at)), side(std::string(at + 2, ' ') + text.substr(at + 2))}, {"!="}};
 }

@@ -29,7 +29,7 @@ std::string page_of_exercises(const Classroom& room, const std::map<std::string,
 /// exercises.html.
 int write_index(const Classroom& room, const std::string& folder);
 
-/// What comes of a form: HTML to show, and where the student stands.
+/// What comes of a form: HTML to show, and the progress of the student.
 struct Reply {
   std::string says, standing;
 };

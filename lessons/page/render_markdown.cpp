@@ -1,5 +1,5 @@
 // Lessons as Markdown with GitHub's mathematics: $`...`$ in a sentence, a math fence for what is displayed.
-// These two forms are the ones whose contents Markdown does not touch. Jupyter wants $...$ and $$...$$; a
+// These two forms are the ones whose contents Markdown does not touch. Jupyter requires $...$ and $$...$$; a
 // notebook is the same text in cells, with cells of code for the commands: Python, where the module is there
 // and has a counterpart, else the shell.
 #include <fmt/format.h>
