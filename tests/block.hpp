@@ -46,9 +46,7 @@ inline std::filesystem::path equations_file() { return paper::equations_file(roc
 inline Symbols symbols_in(const std::string& domain) {
   return paper::symbols_in(rocking_block::paper(), domain);
 }
-inline Entry judge(const Row& row, const std::vector<Row>& rows) {
-  return paper::judge(rocking_block::paper(), row, rows);
-}
+inline Entry judge(const Row& row) { return paper::judge(rocking_block::paper(), row); }
 inline Derivation derivation_of(const std::string& id) {
   return paper::derivation_of(rocking_block::paper(), id).value();
 }

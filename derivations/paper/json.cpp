@@ -65,7 +65,7 @@ Json to_json(const Entry& entry) {
           {"scan_repaired", !row.scan_repaired.empty()},
           {"scan", or_null(row.scan_repaired)},
           {"reason", proof["reason"]},
-          {"rests_on_it", entry.rests_on_it},
+          {"rests_on_it", row.rests_on_it},
           {"consequence", or_null(row.consequence)}};
 }
 

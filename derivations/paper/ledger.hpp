@@ -19,7 +19,6 @@ struct Entry {
   decide::Proof proof;
   std::optional<mechanics::DimensionReport> dimension;  ///< none where nothing is printed
   std::string derived, correction;                      ///< in our syntax; correction only with refuted
-  std::vector<std::string> rests_on_it;                 ///< ids of the rows downstream, in the paper's order
 };
 
 /// Returns the symbols of the paper, with the ranges that the domain of a row narrows: "theta < 0" makes 0
@@ -28,9 +27,9 @@ struct Entry {
 language::Symbols symbols_in(const Paper& paper, const std::string& domain);
 
 /// Returns the entry of a row: derives it, compares it with the printed form and checks the dimensions.
-/// `rows` are all rows of the paper, among which it finds those that rest on this one. The verdict is `error`
-/// if the derivation cannot be used. Throws SyntaxError if the printed text cannot be read.
-Entry judge(const Paper& paper, const Row& row, const std::vector<Row>& rows);
+/// The verdict is `error` if the derivation cannot be used. Throws SyntaxError if the printed text cannot be
+/// read.
+Entry judge(const Paper& paper, const Row& row);
 /// Returns the entry of the row with the given id. Throws std::out_of_range, with the id, if there is none.
 Entry judged(const Paper& paper, const std::string& id);
 

@@ -1,6 +1,9 @@
 // equations.toml → rows. Every complaint names the file, the line, the row and what would be right.
 #include <derivations/paper/rows.hpp>
 #include <derivations/program/toml_table.hpp>
+#include <set>
+#include <string_view>
+#include <unordered_map>
 
 namespace rederive::paper {
 using namespace language;
@@ -119,6 +122,23 @@ class Ancestry {
   std::vector<Step> path_;
 };
 
+/// Sets `rests_on_it` of all rows, in the order of the paper.
+void set_dependents(std::vector<Row>& rows) {
+  std::unordered_map<std::string_view, std::vector<std::size_t>> followers;
+  for (std::size_t k = 0; k < rows.size(); ++k)
+    for (const std::string& from : rows[k].follows_from) followers[from].push_back(k);
+  for (Row& row : rows) {
+    std::set<std::size_t> reached;
+    for (std::vector<std::string_view> open{row.id}; !open.empty();) {
+      const std::string_view next = open.back();
+      open.pop_back();
+      for (const std::size_t k : followers[next])
+        if (reached.insert(k).second) open.push_back(rows[k].id);
+    }
+    for (const std::size_t k : reached) row.rests_on_it.push_back(rows[k].id);
+  }
+}
+
 }  // namespace
 
 std::vector<Row> read_rows(const std::filesystem::path& file) {
@@ -126,6 +146,7 @@ std::vector<Row> read_rows(const std::filesystem::path& file) {
   std::vector<TomlTable> tables = tables_of(file, "equation");
   for (TomlTable& table : tables) rows.push_back(read_row(table));
   Ancestry(rows, tables).check();
+  set_dependents(rows);
   return rows;
 }
 

@@ -15,11 +15,12 @@ struct Row {
   /// What is compared with the derivation: what is printed, or what we state.
   const std::string& claim() const { return kind == "result" ? statement : printed; }
   std::vector<std::string> follows_from;
-  std::string expected;       ///< a verdict
-  std::string error;          ///< with refuted: sign, factor, argument …; rows.cpp lists them
-  std::string consequence;    ///< with refuted: what rests on it, and whether that is still right
-  std::string note;           ///< anything a reader should know
-  std::string scan_repaired;  ///< what scanning damaged and how it was restored; empty if nothing
+  std::vector<std::string> rests_on_it;  ///< ids of the rows that follow from it, directly or through others
+  std::string expected;                  ///< a verdict
+  std::string error;                     ///< with refuted: sign, factor, argument …; rows.cpp lists them
+  std::string consequence;               ///< with refuted: what rests on it, and whether that is still right
+  std::string note;                      ///< anything a reader should know
+  std::string scan_repaired;             ///< what scanning damaged and how it was restored; empty if nothing
 };
 
 /// Reads equations.toml. Throws BadInput naming file, line, row and what would be right.

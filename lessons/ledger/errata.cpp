@@ -33,8 +33,8 @@ std::vector<Entry> those_refuted(const std::vector<Entry>& entries) {
     if (entry.proof.verdict == Verdict::refuted) wrong.push_back(entry);
   std::vector<Entry> sorted = wrong;
   std::stable_sort(sorted.begin(), sorted.end(), [&](const Entry& a, const Entry& b) {
-    return std::pair(spread(a, wrong), a.rests_on_it.size()) >
-           std::pair(spread(b, wrong), b.rests_on_it.size());
+    return std::pair(spread(a, wrong), a.row.rests_on_it.size()) >
+           std::pair(spread(b, wrong), b.row.rests_on_it.size());
   });
   return sorted;
 }

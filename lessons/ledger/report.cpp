@@ -100,7 +100,7 @@ std::string ledger_page(const Entry& entry, const Symbols& symbols, bool colour)
                                     : ""));
   if (entry.dimension) line("", entry.dimension->explanation);
   line("follows from", joined(row.follows_from, ", "));
-  line("rests on it", joined(entry.rests_on_it, ", "));
+  line("rests on it", joined(entry.row.rests_on_it, ", "));
   line("consequence", row.consequence);
   line("scan", row.scan_repaired);
   line("note", row.note);

@@ -36,7 +36,7 @@ struct Options {
 
 Entry judged_row(const Row& row, const Paper& paper) {
   try {
-    return judge(paper, row, rows_of(paper));
+    return judge(paper, row);
   } catch (const SyntaxError& error) {
     throw BadInput("row " + row.id + ": " + explain(error, row.printed));
   } catch (const std::invalid_argument& error) {

@@ -49,7 +49,7 @@ std::vector<Told> ledger(const std::string& equations) {
   std::vector<Told> told;
   for (const Row& row : rows) {
     told.push_back(alone(algebra(), [&] {
-      const Entry entry = judge(paper(), row, rows);
+      const Entry entry = judge(paper(), row);
       return Told{to_json(entry).dump(), latex(row.claim()), latex(entry.derived)};
     }));
     if (PyErr_CheckSignals() != 0) throw py::error_already_set();

@@ -184,7 +184,7 @@ TEST_CASE("at the witness of every row of the paper that is refuted the printed 
   for (const Row& row : rows) {
     if (row.expected != "refuted") continue;
     INFO(row.id << "  " << row.claim());
-    const Entry entry = judge(row, rows);
+    const Entry entry = judge(row);
     REQUIRE(entry.proof.witness);
     const Symbols symbols = symbols_in(row.domain);
     const Point at = point_of(*entry.proof.witness, symbols);
