@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <derivations/paper/mutate.hpp>
+#include <map>
+#include <set>
 #include <tests/block.hpp>
 #include <tests/cases.hpp>
 #include <tests/run_program.hpp>
@@ -124,6 +126,23 @@ TEST_CASE("errata come with the most consequential first, in every format") {
   CHECK(contains(run_program("ledger", {"errata"}).out, "(88)"));
   CHECK(contains(run_program("ledger", {"errata", "--format", "markdown"}).out, "## Equation (17b)"));
   CHECK(run_program("ledger", {"errata", "--format", "docx"}).exit_code == 2);
+}
+
+TEST_CASE("a row names all rows that follow from it, directly or through others, in the order of the paper") {
+  std::map<std::string, std::vector<std::string>> sources, dependents;
+  for (const Json& one : whole_ledger()["equations"]) one["follows_from"].get_to(sources[one["id"]]);
+  for (const Json& one : whole_ledger()["equations"]) {
+    std::set<std::string> ancestors;
+    for (std::vector<std::string> open = sources[one["id"]]; !open.empty();) {
+      const std::string id = open.back();
+      open.pop_back();
+      if (ancestors.insert(id).second) open.insert(open.end(), sources[id].begin(), sources[id].end());
+    }
+    for (const std::string& id : ancestors) dependents[id].push_back(one["id"]);
+  }
+  CHECK(dependents.size() > 50);
+  for (const Json& one : whole_ledger()["equations"])
+    CHECK_MESSAGE(one["rests_on_it"] == Json(dependents[one["id"]]), one["id"]);
 }
 
 TEST_CASE("one row, the graph, and unknown ids") {
