@@ -24,6 +24,7 @@ set(public_headers
   derivations/numbers/interval.hpp
   derivations/numbers/value.hpp
   derivations/paper/derivations.hpp
+  derivations/paper/folder.hpp
   derivations/paper/ledger.hpp
   derivations/paper/mutate.hpp
   derivations/paper/once.hpp
@@ -31,6 +32,7 @@ set(public_headers
   derivations/paper/prove.hpp
   derivations/paper/prove_bounded.hpp
   derivations/paper/rows.hpp
+  derivations/paper/run_derive.hpp
   derivations/paper/steps.hpp
   derivations/program/bad_input.hpp
   derivations/program/files.hpp

@@ -27,8 +27,9 @@ struct Derivation {
   /// Holds only under this, which the paper leaves unsaid: a relation, and words behind : or ;. Empty if
   /// always.
   std::string assumption;
-  int order = 0;      ///< > 0: a Taylor approximation to this order …
-  std::string small;  ///< … in these symbols ("alpha, theta")
+  int order = 0;           ///< > 0: a Taylor approximation to this order …
+  std::string small;       ///< … in these symbols ("alpha, theta")
+  bool is_stated = false;  ///< it has no step of its own: it states its result
 };
 
 /// A derivation is a pure function.

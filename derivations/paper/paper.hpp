@@ -9,6 +9,7 @@
 #include <derivations/paper/once.hpp>
 #include <derivations/paper/rows.hpp>
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -20,10 +21,14 @@ namespace rederive::paper {
 /// several.
 struct Paper {
   std::string title = {};
+  std::vector<std::string> authors = {};
+  std::string year = {}, doi = {};
+  std::filesystem::path folder = {};                ///< of its data files; empty if it has none of its own
   std::filesystem::path equations = {};             ///< the file with the printed rows; see equations_file
   Once<std::vector<Row>> rows = {};                 ///< see rows_of
   language::Symbols symbols = {};                   ///< the ends of all ranges are numbers
   std::vector<language::Relation> conditions = {};  ///< the ranges that compare symbols: theta_0 < alpha
+  std::vector<std::string> integers = {};           ///< symbols that are whole numbers
   Derivations derivations = {};
   /// Symbols that `prove` reads as arbitrary real numbers, because users give them other meanings.
   std::vector<std::string> free_letters = {};
@@ -33,7 +38,7 @@ struct Paper {
   bool has_names_in_words = false;
   /// The list of the Coq theorems about it, a file among the scripts that ship; empty if there are none.
   std::string theorems = {};
-  emit::Emission (*emission)() = nullptr;  ///< its numeric functions; nullptr if it has none
+  std::function<emit::Emission()> emission = {};  ///< its numeric functions; empty if it has none
   /// The source file in which `Paper{…}` is written, with braces. A relative `equations` is searched beside
   /// it.
   const char* source = __builtin_FILE();  // Clang 14 has no std::source_location

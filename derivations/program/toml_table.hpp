@@ -57,7 +57,7 @@ class TomlTable {
   /// Returns the items of a list, each a text or a table of texts, as name → text. The name of a text alone
   /// is the key.
   std::vector<std::map<std::string, std::string>> alternatives(const std::string& key);
-  /// Returns all keys in their order.
+  /// Returns all keys in the order of the file.
   std::vector<std::string> keys() const;
   bool has(const std::string& key) const { return table_->contains(key); }
 
@@ -257,7 +257,10 @@ inline std::map<std::string, std::string> TomlTable::texts_in(const toml::table&
 
 inline std::vector<std::string> TomlTable::keys() const {
   std::vector<std::string> all;
-  for (const auto& [key, value] : *table_) all.emplace_back(key.str());
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::string> by_place;
+  for (const auto& [key, value] : *table_)
+    by_place[{key.source().begin.line, key.source().begin.column}] = key.str();
+  for (const auto& [place, name] : by_place) all.push_back(name);
   return all;
 }
 
