@@ -4,7 +4,7 @@ include(CMakePackageConfigHelpers)
 
 file(GLOB lesson_files RELATIVE ${PROJECT_SOURCE_DIR}/lessons CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/lessons/lesson-*.cpp)
 string(REPLACE .cpp "" lesson_programs "${lesson_files}")
-install(TARGETS ledger rocking emit exercises ${lesson_programs} RUNTIME DESTINATION bin)
+install(TARGETS ledger rocking emit exercises rederive ${lesson_programs} RUNTIME DESTINATION bin)
 
 # For projects that build on Rederive: the libraries, for CMake and, two of them, for pkg-config.
 list(TRANSFORM rooms PREPEND rederive_ OUTPUT_VARIABLE libraries)
@@ -24,6 +24,9 @@ install(FILES ${PROJECT_BINARY_DIR}/emitted/rocking_block.hpp DESTINATION includ
 configure_file(.setup/RederiveConfig.cmake.in RederiveConfig.cmake @ONLY)
 # The same for the build folder, for tests/fuzz.
 export(EXPORT RederiveTargets NAMESPACE rederive:: FILE RederiveTargets.cmake)
+# Projects include <rederive/…> from the build folder, too.
+file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/include)
+file(CREATE_LINK ${PROJECT_SOURCE_DIR} ${PROJECT_BINARY_DIR}/include/rederive SYMBOLIC)
 configure_file(.setup/RederiveDependencies.cmake RederiveDependencies.cmake COPYONLY)
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/RederiveConfigVersion.cmake COMPATIBILITY SameMajorVersion)
 install(FILES .setup/RederiveDependencies.cmake ${PROJECT_BINARY_DIR}/RederiveConfig.cmake

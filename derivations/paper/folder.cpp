@@ -263,6 +263,13 @@ Paper read_paper(const fs::path& folder) {
   return paper;
 }
 
+std::vector<std::string> events_of_stepper(const Paper& paper, const std::string& stepper) {
+  TomlTable document(paper.folder / "functions.toml");
+  for (TomlTable& table : document.tables("stepper"))
+    if (table.line("name") == stepper) return table.lines("events");
+  return {};
+}
+
 fs::path source_of_derivations(const fs::path& folder) {
   const fs::path python = folder / "derive.py", cpp = folder / "derive.cpp";
   if (fs::exists(python) && fs::exists(cpp))

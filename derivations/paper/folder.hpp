@@ -5,6 +5,7 @@
 #include <derivations/paper/paper.hpp>
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace rederive::paper {
 
@@ -20,6 +21,10 @@ namespace rederive::paper {
 ///   - `rates`: 1 or 2 declares the time derivatives `NAMEdot` and `NAMEddot`.
 ///   - `integer`: true for a whole number.
 Paper read_paper(const std::filesystem::path& folder);
+
+/// Returns the events of a stepper of functions.toml, equations in our syntax such as "theta = 0". Throws as
+/// read_paper does.
+std::vector<std::string> events_of_stepper(const Paper& paper, const std::string& stepper);
 
 /// Returns the file with the source of the derivations, derive.py or derive.cpp; an empty path if the folder
 /// has neither. Throws BadInput if it has both.

@@ -1,6 +1,8 @@
 // What exercises are about: a paper, what they take from elsewhere, and right answers computed from both.
 #pragma once
 
+#include <filesystem>
+#include <functional>
 #include <lessons/page/lesson.hpp>
 #include <set>
 
@@ -23,8 +25,20 @@ struct NumericFunction {
   void (*explain)(const Arguments& arguments, page::Page& page);
 };
 
+/// The lessons to which the exercises belong, as web pages.
+struct LessonPages {
+  /// Returns the titles of the lessons by the names of their pages, in order: "lesson-01-…" without ".html".
+  std::function<std::map<std::string, std::string>()> titles;
+  /// Returns the page of a lesson with the forms of exercises in a file, which forms_json has written.
+  std::function<std::string(const std::string& lesson, const std::filesystem::path& forms)> page;
+  bool has_workbench = false;
+};
+
 struct Course {
   const paper::Paper& paper;
+  std::filesystem::path exercises;  ///< a TOML file, or a folder with TOML files
+  LessonPages lessons;
+  std::filesystem::path progress;  ///< the file in which progress is kept unless another one is named
   /// What names stand for wherever they are used: an answer may use either.
   std::vector<language::Given> definitions = {};
   /// Derivations that exercises name and that the paper does not have.

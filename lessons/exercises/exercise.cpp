@@ -267,8 +267,9 @@ class Reader {
   const Symbols& symbols_;
 };
 
-/// Returns the files of exercises, in the order of their names.
+/// Returns the files of exercises in a folder, in the order of their names; or the one file that is given.
 std::vector<std::filesystem::path> files_in(const std::filesystem::path& folder) {
+  if (!std::filesystem::is_directory(folder)) return {folder};
   std::vector<std::filesystem::path> files;
   std::error_code error;
   for (std::filesystem::directory_iterator file(folder, error), end; !error && file != end;

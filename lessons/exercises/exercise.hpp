@@ -59,7 +59,8 @@ struct Exercise {
   bool asks_for_formula() const { return kind == Kind::expression || kind == Kind::equation; }
 };
 
-/// Reads all exercises of a folder, in the order of its files; with a seed, in the variant of that seed.
+/// Reads all exercises of a folder, in the order of its files, or those of one file; with a seed, in the
+/// variant of that seed.
 /// Throws BadInput with file, line, exercise and what is wrong.
 std::vector<Exercise> read_exercises(const Course& course, const std::filesystem::path& folder,
                                      const std::string& seed = "");

@@ -130,7 +130,8 @@ Student student_in(const Classroom& room, const fs::path& folder, const Collecti
       is_link || !student.is_student || student.name[0] == '.' ? std::nullopt : names_in(folder);
   if (names) {
     if (collecting.variants)
-      for (auto& exercise : read_exercises(room.course, exercises_folder(), collecting.seed + student.name))
+      for (auto& exercise :
+           read_exercises(room.course, room.course.exercises, collecting.seed + student.name))
         if (!exercise.choice.empty()) student.variants.emplace(exercise.id, std::move(exercise));
     add_rows(room, folder, *names, collecting, student);
     return student;

@@ -199,15 +199,36 @@ std::string page_of_exercises(const Classroom& room, const std::map<std::string,
     for (const auto& exercise : room.exercises)
       if (exercise.lesson == number) passages.push_back(form_of(exercise, progress, false));
   }
-  passages.push_back(Paragraph{"[The workbench](workbench.html): the block in motion"});
+  if (room.course.lessons.has_workbench)
+    passages.push_back(Paragraph{"[The workbench](workbench.html): the block in motion"});
   return rendered({"The lessons and their exercises"}, passages,
                   {.paper = room.course.paper, .format = Format::html, .script = script()});
+}
+
+std::string page_of_statements(const Classroom& room) {
+  std::vector<Passage> exercises{
+      Paragraph{"[All lessons](index.html)"},
+      Paragraph{
+          fmt::format("They are worked in the lessons: `{}` prints an address to open. Or at a terminal: "
+                      "`{}` judges an answer, `exercises hint ID` helps.",
+                      command_on(room.course.paper, "exercises serve"),
+                      command_on(room.course.paper, "exercises check ID \"ANSWER\""))}};
+  for (const auto& exercise : room.exercises) {
+    exercises.push_back(Heading{literal(exercise.title), 0, exercise.id});
+    exercises.push_back(Paragraph{fmt::format("`{}`, lesson {}", exercise.id, exercise.lesson)});
+    for (Passage& passage : statement_of(exercise)) exercises.push_back(std::move(passage));
+    const ExerciseForm form = form_of(exercise, {}, false);
+    BulletList choices;
+    for (const auto& [value, sentence] : form.choices) choices.items.push_back(value + ") " + sentence);
+    exercises.push_back(form.choices.empty() ? Passage(Paragraph{form.prompt}) : Passage(choices));
+  }
+  return rendered({"The exercises"}, exercises, {.paper = room.course.paper, .format = Format::html});
 }
 
 int write_index(const Classroom& room, const std::string& folder) {
   const Setting setting{.paper = room.course.paper, .format = Format::html};
   BulletList lessons;
-  for (const auto& [lesson, title] : titles_of_lessons())
+  for (const auto& [lesson, title] : room.course.lessons.titles())
     lessons.items.push_back("[" + literal(title) + "](" + lesson + ".html)");
   write_whole(
       std::filesystem::path(folder) / "index.html",
@@ -221,22 +242,7 @@ int write_index(const Classroom& room, const std::string& folder) {
                "[The workbench](workbench.html): the block in motion, and the map of what overturns it."},
            Paragraph{"[The exercises](exercises.html)"}},
           setting));
-  std::vector<Passage> exercises{
-      Paragraph{"[All lessons](index.html)"},
-      Paragraph{"They are worked in the lessons: `build/bin/exercises serve` prints an address to open. Or "
-                "at a terminal: "
-                "`build/bin/exercises check ID \"ANSWER\"` judges an answer, `exercises hint ID` helps."}};
-  for (const auto& exercise : room.exercises) {
-    exercises.push_back(Heading{literal(exercise.title), 0, exercise.id});
-    exercises.push_back(Paragraph{fmt::format("`{}`, lesson {}", exercise.id, exercise.lesson)});
-    for (Passage& passage : statement_of(exercise)) exercises.push_back(std::move(passage));
-    const ExerciseForm form = form_of(exercise, {}, false);
-    BulletList choices;
-    for (const auto& [value, sentence] : form.choices) choices.items.push_back(value + ") " + sentence);
-    exercises.push_back(form.choices.empty() ? Passage(Paragraph{form.prompt}) : Passage(choices));
-  }
-  write_whole(std::filesystem::path(folder) / "exercises.html",
-              rendered({"The exercises"}, exercises, setting));
+  write_whole(std::filesystem::path(folder) / "exercises.html", page_of_statements(room));
   return as_expected;
 }
 

@@ -25,6 +25,8 @@ std::string forms_json(const Classroom& room);
 /// Returns the page of all exercises, lesson by lesson, with what is done. `titles` has the titles of the
 /// lessons by their programs, in order.
 std::string page_of_exercises(const Classroom& room, const std::map<std::string, std::string>& titles);
+/// Returns the page with the statements of all exercises, which says how to answer them.
+std::string page_of_statements(const Classroom& room);
 /// Writes the index of the lessons and the page of the exercises' statements into a folder: index.html,
 /// exercises.html.
 int write_index(const Classroom& room, const std::string& folder);

@@ -146,7 +146,7 @@ int selftest(const Classroom& room) {
   };
   for (const auto& exercise : room.exercises) test(exercise);
   for (int seed = 1; seed <= 20; ++seed)
-    for (const auto& exercise : read_exercises(room.course, exercises_folder(), std::to_string(seed)))
+    for (const auto& exercise : read_exercises(room.course, room.course.exercises, std::to_string(seed)))
       test(exercise);
   if (is_lively(2)) std::fputs("\r", stderr);
   if (room.json) {

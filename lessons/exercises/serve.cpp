@@ -29,19 +29,18 @@ std::string page_of_lesson(const Classroom& room, const std::string& lesson) {
   if (const auto known = pages.find(lesson); known != pages.end()) return known->second;
   std::filesystem::path folder = private_folder("forms");
   write_whole(folder / "forms.json", forms_json(room));
-  const Said said = said_by(in_quotes(loaded_from().parent_path() / lesson) + " --format html --forms " +
-                            in_quotes(folder / "forms.json"));
+  std::string page = room.course.lessons.page(lesson, folder / "forms.json");
   std::filesystem::remove_all(folder);
-  if (said.status != 0) throw std::runtime_error(lesson + " failed");
-  return pages[lesson] = said.text;
+  return pages[lesson] = page;
 }
 
 /// Returns the page of that name. Throws BadInput if there is no such page.
 std::string page_named(const Classroom& room, const std::string& name) {
-  for (const auto& lesson : all_lessons())
+  static const std::map<std::string, std::string> titles = room.course.lessons.titles();
+  for (const auto& [lesson, title] : titles)
     if (name == lesson + ".html") return page_of_lesson(room, lesson);
-  if (name == "workbench.html") return read_whole(data_folder() / "workbench.html");
-  static const std::map<std::string, std::string> titles = titles_of_lessons();
+  if (name == "workbench.html" && room.course.lessons.has_workbench)
+    return read_whole(data_folder() / "workbench.html");
   if (name.empty() || name == "index.html" || name == "exercises.html")
     return page_of_exercises(room, titles);
   throw BadInput("there is no such page");

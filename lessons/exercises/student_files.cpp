@@ -148,10 +148,10 @@ AnswerFile read_answer_file(const std::filesystem::path& path) {
   return result;
 }
 
-std::filesystem::path progress_file(const std::string& given) {
+std::filesystem::path progress_file(const std::string& given, const std::filesystem::path& otherwise) {
   if (!given.empty()) return given;
   if (const char* file = std::getenv("REDERIVE_PROGRESS"); file != nullptr && *file != '\0') return file;
-  return state_folder() / "exercises.txt";
+  return otherwise;
 }
 
 Progress load_progress(const std::filesystem::path& file) {

@@ -62,7 +62,7 @@ struct Progress {
 
 /// Returns `given`, else $REDERIVE_PROGRESS, else rederive/exercises.txt in the XDG state folder or
 /// ~/.local/state.
-std::filesystem::path progress_file(const std::string& given);
+std::filesystem::path progress_file(const std::string& given, const std::filesystem::path& otherwise);
 /// Reads a progress file; one that does not exist is a fresh start. Throws BadInput, with file and line.
 Progress load_progress(const std::filesystem::path& file);
 /// Reads the text of one; errors name `file`.

@@ -27,6 +27,9 @@ struct Claim {
   std::vector<std::string> rows;          ///< the rows of equations.toml that a check looks at
   double omega_ratio = 0, amplitude = 0;  ///< omega_p/p and a_p/(alpha g), where a check takes them
   int impacts = 0;                        ///< before overturning: 0 or 1
+  std::string value;                      ///< an expression, whose value is compared with what is printed
+  std::string holds;                      ///< a relation, which is decided
+  std::map<std::string, std::string> at;  ///< values of symbols, in our syntax
 };
 
 /// What a check finds: the verdict, and the numbers or words for the places in the sentences of the claim.
@@ -46,11 +49,23 @@ struct JudgedClaim {
 
 /// Decides a claim from computed numbers; the claim contributes what is printed.
 using Check = std::function<Finding(const Claim&)>;
+/// The words of a claim; see Claim::found and Claim::meaning.
+struct ClaimWords {
+  std::string found;
+  std::map<ClaimVerdict, std::string> meaning;
+};
 /// The claims of a paper, and how they are decided.
 struct Claims {
-  std::filesystem::path file;           ///< claims.toml
-  std::map<std::string, Check> checks;  ///< by their names in the file
+  std::filesystem::path file;                    ///< claims.toml
+  std::map<std::string, Check> checks;           ///< by their names in the file
+  std::map<std::string, ClaimWords> words = {};  ///< of checks: for claims that have no words of their own
 };
+
+/// Returns the claims of a paper that is a folder. Their checks need no code: "value" evaluates `value` at
+/// `at`, after it has put in what the derivations of `rows` say, and rounds it to the digits that are
+/// printed; "holds" decides the relation `holds` in the same way. A claim without `check` has the one of its
+/// key.
+Claims claims_in_folder(const paper::Paper& paper);
 
 /// Reads claims.toml. Throws BadInput, with file, line and what would be right.
 std::vector<Claim> read_claims(const Claims& claims);

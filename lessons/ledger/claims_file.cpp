@@ -36,8 +36,13 @@ Claim read_claim(TomlTable& table, const std::vector<std::string>& checks) {
   std::vector<std::string> words;
   for (const ClaimVerdict verdict : claim_verdicts) words.push_back(to_string(verdict));
   claim.expected = table.needed_word("expected", words);
-  claim.check = table.needed_word("check", checks);
-  claim.method = table.needed_text("method");
+  claim.value = table.line("value");
+  claim.holds = table.line("holds");
+  claim.at = table.named_texts("at");
+  const std::string usual = !claim.value.empty() ? "value" : "holds";
+  const bool has_usual = claim.value.empty() != claim.holds.empty();
+  claim.check = has_usual && !table.has("check") ? usual : table.needed_word("check", checks);
+  claim.method = has_usual ? table.text("method") : table.needed_text("method");
   claim.found = table.text("found");
   for (const ClaimVerdict verdict : claim_verdicts) claim.meaning[verdict] = table.text(to_string(verdict));
   claim.rows = table.texts("rows");
@@ -49,10 +54,11 @@ Claim read_claim(TomlTable& table, const std::vector<std::string>& checks) {
 }
 
 /// Words that a claim lacks are those of the first claim with the same check.
-void take_words(Claim& claim, const Claim& first) {
-  if (claim.found.empty()) claim.found = first.found;
+void take_words(Claim& claim, const ClaimWords& others) {
+  if (claim.found.empty()) claim.found = others.found;
   for (auto& [verdict, words] : claim.meaning)
-    if (words.empty()) words = first.meaning.at(verdict);
+    if (const auto other = others.meaning.find(verdict); words.empty() && other != others.meaning.end())
+      words = other->second;
 }
 
 std::string told(const std::string& words, const Items& values) {
@@ -74,13 +80,13 @@ std::vector<Claim> read_claims(const Claims& from) {
   std::vector<std::string> checks;
   for (const auto& [name, check] : from.checks) checks.push_back(name);
   std::vector<Claim> claims;
-  std::map<std::string, Claim> first;  // of each check
+  std::map<std::string, ClaimWords> words = from.words;
   std::map<std::string, std::string> places;
   for (TomlTable& table : tables_of(from.file, "claim")) {
     Claim& claim = claims.emplace_back(read_claim(table, checks));
     if (const auto [place, is_new] = places.emplace(claim.id, claim.place); !is_new)
       table.fail("a second claim has this id; the first is at " + place->second, "id");
-    take_words(claim, first.emplace(claim.check, claim).first->second);
+    take_words(claim, words.try_emplace(claim.check, ClaimWords{claim.found, claim.meaning}).first->second);
   }
   return claims;
 }

@@ -99,7 +99,7 @@ std::string errata(const std::vector<Entry>& entries, const std::string& format,
   const std::vector<Entry> wrong = those_refuted(entries);
   if (format != "json") {
     static const std::map<std::string, Format> formats{
-        {"text", Format::unicode}, {"markdown", Format::markdown}, {"latex", Format::latex}};
+        {"text", Format::unicode}, {"markdown", Format::markdown}, {"latex", Format::latex}, {"html", Format::html}};
     return rendered({"Errata: " + paper.title}, sheet(wrong, paper),
                     {.paper = paper, .format = formats.at(format)});
   }

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <derivations/paper/ledger.hpp>
+#include <functional>
 #include <lessons/page/passages.hpp>
 #include <map>
 #include <set>
@@ -70,6 +71,8 @@ class Page {
   void workbench(const std::string& options);
   void points(std::vector<std::string> items) { blocks_.push_back(BulletList{std::move(items)}); }
 
+  void add(Passage passage) { blocks_.push_back(std::move(passage)); }
+
   const std::vector<Passage>& blocks() const { return blocks_; }
 
  private:
@@ -80,7 +83,16 @@ class Page {
 
 struct LessonStep {
   std::string heading;
-  void (*write)(Page&);
+  std::function<void(Page&)> write;
+};
+
+/// The ids of the rows that each lesson covers, by its number.
+using Coverage = std::map<int, std::vector<std::string>>;
+
+/// The lessons to which a lesson belongs.
+struct LessonSeries {
+  std::vector<std::string> pages;  ///< the names of their web pages without ".html", in order
+  Coverage coverage;
 };
 
 struct Lesson {
@@ -89,8 +101,6 @@ struct Lesson {
   std::vector<LessonStep> steps;
 };
 
-/// The ids of the rows that each lesson covers, by its number.
-using Coverage = std::map<int, std::vector<std::string>>;
 /// Reads equations_of_lessons.toml. Throws BadInput, with the line, for a row that the paper does not have.
 Coverage read_coverage(const paper::Paper& paper);
 /// Returns the number of the first lesson that covers a row, or 0.

@@ -175,7 +175,7 @@ void Page::lemma(const std::string& id) {
   const auto found = lemma_of(paper_, judged(paper_, id));
   if (!found || found->text.empty())
     throw std::invalid_argument("there is no lemma of equation (" + id + ")");
-  blocks_.push_back(Theorem{id, found->text, "`build/bin/ledger show " + id + " --coq`"});
+  blocks_.push_back(Theorem{id, found->text, "`" + command_on(paper_, "ledger show " + id + " --coq") + "`"});
 }
 
 void Page::workbench(const std::string& options) {

@@ -269,6 +269,13 @@ std::vector<Span> step_spans(const std::string& words, const Symbols& symbols) {
   return result;
 }
 
+std::string command_on(const Paper& paper, const std::string& command) {
+  constexpr std::string_view ledger = "ledger ";
+  if (paper.folder.empty()) return "build/bin/" + command;
+  return "rederive " + paper.folder.filename().string() + " " +
+         (command.starts_with(ledger) ? command.substr(ledger.size()) : command);
+}
+
 std::string marked(const std::string& words, const Paper& paper) {
   const Spellings spellings = spellings_of(paper.symbols);
   return joined(step_spans(words, paper.symbols), "", [&](const Span& span) {

@@ -77,6 +77,10 @@ std::string joined(const Items& items, std::string_view between, Say say = {}) {
   }
   return text;
 }
+/// Returns a command on a paper as a user types it. "ledger show 3" is "build/bin/ledger show 3" for the
+/// built-in paper and "rederive rod show 3" for a paper in the folder rod, where "exercises list" is
+/// "rederive rod exercises list".
+std::string command_on(const paper::Paper& paper, const std::string& command);
 /// Returns "1 row" or "2 rows".
 inline std::string counted(std::size_t count, const std::string& name) {
   return std::to_string(count) + " " + name + (count == 1 ? "" : "s");

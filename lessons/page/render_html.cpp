@@ -121,8 +121,9 @@ class HtmlRenderer : public Renderer {
   std::string place_for_exercises(const std::set<std::string>& ids, bool says) const {
     if (setting_.forms.empty())
       return std::string("<aside class=\"exercise\">") +
-             (says ? "<p>To answer in this page, type <code>build/bin/exercises serve</code> and open the "
-                     "address that it prints.</p>"
+             (says ? "<p>To answer in this page, type <code>" +
+                         escaped(command_on(setting_.paper, "exercises serve")) +
+                         "</code> and open the address that it prints.</p>"
                    : "") +
              "</aside>\n";
     std::string text;

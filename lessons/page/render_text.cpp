@@ -30,11 +30,16 @@ class TextRenderer : public Renderer {
   }
 
   std::string end() override {
-    return setting_.next.empty() ? "" : "\n" + ascii("Next: ") + "build/bin/" + setting_.next + "\n";
+    return setting_.next.empty() ? "" : "\n" + ascii("Next: ") + next_command() + "\n";
   }
 
  private:
   using Renderer::render;
+  std::string next_command() const {
+    return setting_.paper.folder.empty()
+               ? "build/bin/" + setting_.next
+               : command_on(setting_.paper, fmt::format("lesson {}", setting_.lesson + 1));
+  }
   std::string ascii(const std::string& text) const { return plain_ ? to_ascii(text, symbols()) : text; }
   std::string strong(const std::string& text) const {
     return setting_.lively ? "\033[1m" + text + "\033[0m" : text;

@@ -32,13 +32,10 @@ const std::map<std::string, Format> formats{{"unicode", Format::unicode},   {"pl
                                             {"latex", Format::latex},       {"markdown", Format::markdown},
                                             {"notebook", Format::notebook}, {"html", Format::html}};
 
-/// The lesson before (-1) or after (+1) this one.
-std::string neighbour(const std::vector<std::string>& names, int distance) {
-  const auto here =
-      std::find(names.begin(), names.end(), loaded_from().filename().string()) - names.begin() + distance;
-  return here < 0 || here >= static_cast<std::ptrdiff_t>(names.size())
-             ? ""
-             : names[static_cast<std::size_t>(here)];
+/// The page of the lesson with that number; "" if there is none.
+std::string page_of(const std::vector<std::string>& pages, int number) {
+  return number < 1 || number > static_cast<int>(pages.size()) ? ""
+                                                               : pages[static_cast<std::size_t>(number - 1)];
 }
 
 std::size_t terminal_width() {
@@ -55,7 +52,8 @@ void read_forms(const std::string& file, Setting& setting) {
     setting.forms.push_back({form.at("id"), form.at("lesson"), form.at("html")});
 }
 
-Setting setting_from(const Paper& paper, const Lesson& lesson, const Flags& flags) {
+Setting setting_from(const Paper& paper, const Lesson& lesson, const LessonSeries& series,
+                     const Flags& flags) {
   Setting setting{.paper = paper};
   setting.lesson = lesson.number;
   setting.format = formats.at(flags.format);
@@ -63,11 +61,11 @@ Setting setting_from(const Paper& paper, const Lesson& lesson, const Flags& flag
   setting.lively = flags.out.empty() && is_lively(1) && setting.format == Format::unicode;
   setting.beside = !flags.out.empty() && becomes_ordinary_file(flags.out);
   if (setting.beside) *setting.figures = fs::absolute(flags.out).parent_path();
-  setting.lessons = all_lessons();
-  setting.previous = neighbour(setting.lessons, -1);
-  setting.next = neighbour(setting.lessons, +1);
+  setting.lessons = series.pages;
+  setting.previous = page_of(series.pages, lesson.number - 1);
+  setting.next = page_of(series.pages, lesson.number + 1);
   setting.module = is_module_there();
-  if (!flags.list) setting.coverage = read_coverage(paper);
+  setting.coverage = series.coverage;
   if (!flags.forms.empty()) read_forms(flags.forms, setting);
   return setting;
 }
@@ -114,7 +112,8 @@ std::vector<Passage> other_rows(const Lesson& lesson, const Setting& setting,
   }
   if (!rest.empty())
     rest.insert(rest.begin(), {Heading{"Other equations of this lesson"},
-                               Paragraph{"The steps to each: `build/bin/ledger show` and its number."}});
+                               Paragraph{"The steps to each: `" + command_on(setting.paper, "ledger show") +
+                                         "` and its number."}});
   return rest;
 }
 
@@ -143,7 +142,7 @@ void write_lesson(const Lesson& lesson, const Flags& flags, const Setting& setti
   if (!flags.step || setting.format == Format::notebook) put(renderer->end());
 }
 
-int run(const Paper& paper, const Lesson& lesson, const Flags& flags) {
+int run(const Paper& paper, const Lesson& lesson, const LessonSeries& series, const Flags& flags) {
   if (flags.step && (flags.list || flags.quiet))
     throw BadInput("--step cannot be used with --list or --quiet, which are about the whole lesson");
   if (flags.step && (*flags.step < 1 || *flags.step > static_cast<int>(lesson.steps.size())))
@@ -151,7 +150,7 @@ int run(const Paper& paper, const Lesson& lesson, const Flags& flags) {
         fmt::format("--step must be from 1 to {1}, but it is {0}", *flags.step, lesson.steps.size()));
   if (!flags.out.empty() && !fs::is_directory(fs::absolute(flags.out).parent_path()))
     throw BadInput("--out " + printable_name(flags.out) + ": there is no such folder");
-  const Setting setting = setting_from(paper, lesson, flags);
+  const Setting setting = setting_from(paper, lesson, series, flags);
   std::string text;
   int code = as_expected;
   const auto put = [&](const std::string& part) {
@@ -250,7 +249,21 @@ std::string rendered(const Front& front, const std::vector<Passage>& passages, c
   return begin + middle + renderer->end();
 }
 
-int run_lesson(const Paper& paper, const Lesson& lesson, int argc, char** argv) {
+LessonSeries built_in_series(const Paper& paper) { return {all_lessons(), read_coverage(paper)}; }
+
+std::string lesson_page(const Paper& paper, const Lesson& lesson, const LessonSeries& series,
+                        const fs::path& forms) {
+  Flags flags;
+  flags.format = "html";
+  flags.forms = forms;
+  std::string text;
+  write_lesson(lesson, flags, setting_from(paper, lesson, series, flags),
+               [&](const std::string& part) { text += part; });
+  return text;
+}
+
+int run_lesson(const Paper& paper, const Lesson& lesson, const std::function<LessonSeries()>& series,
+               int argc, char** argv) {
   std::string teaches = lesson.teaches;
   std::erase(teaches, '*');  // which sets words in italics
   CLI::App app{fmt::format("Lesson {}. {}\n{}", lesson.number, lesson.title, teaches)};
@@ -271,7 +284,8 @@ int run_lesson(const Paper& paper, const Lesson& lesson, int argc, char** argv) 
   const std::string program = argc > 0 ? printable_name(fs::path(argv[0]).filename()) : "lesson";
   app.footer(
       fmt::format("Examples:\n  $ {0} --step 2\n  $ {0} --format html --out lesson.html\n\n", program));
-  return run_command(app, argc, argv, [&] { return run(paper, lesson, flags); });
+  return run_command(app, argc, argv,
+                     [&] { return run(paper, lesson, flags.list ? LessonSeries() : series(), flags); });
 }
 
 }  // namespace rederive::page

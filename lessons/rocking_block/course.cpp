@@ -1,10 +1,15 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <derivations/program/data_folder.hpp>
+#include <derivations/program/surroundings.hpp>
 #include <derivations/rocking_block/overturning_without_impact.hpp>
 #include <derivations/rocking_block/paper.hpp>
+#include <lessons/exercises/exercise.hpp>
 #include <lessons/illustrations/experiments.hpp>
 #include <lessons/page/prose.hpp>
+#include <lessons/page/render.hpp>
+#include <lessons/page/run_lesson.hpp>
 #include <lessons/rocking_block/course.hpp>
 #include <stdexcept>
 
@@ -101,6 +106,14 @@ void explain(double value, const Arguments& arguments, Page& page) {
   throw std::runtime_error("there is no condition that leads to the value");
 }
 
+/// Returns the page that the program of a lesson writes. Throws std::runtime_error if the program fails.
+std::string page_of_lesson(const std::string& lesson, const std::filesystem::path& forms) {
+  const Said said = said_by(in_quotes(program::loaded_from().parent_path() / lesson) +
+                            " --format html --forms " + in_quotes(forms));
+  if (said.status != 0) throw std::runtime_error(lesson + " failed");
+  return said.text;
+}
+
 }  // namespace
 
 const classroom::Course& course() {
@@ -113,6 +126,9 @@ const classroom::Course& course() {
         slenderness{"alpha", 0.01, 1.5, /*is_needed=*/false};
     return classroom::Course{
         .paper = paper(),
+        .exercises = exercises_folder(),
+        .lessons = {.titles = titles_of_lessons, .page = page_of_lesson, .has_workbench = true},
+        .progress = program::state_folder() / "exercises.txt",
         .definitions = definitions,
         .derivations = {{"mass_at_the_top", mass_at_the_top}, {"half_sine", half_sine}},
         .functions = {

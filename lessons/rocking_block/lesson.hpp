@@ -15,7 +15,8 @@ namespace rederive::rocking_block {
 
 /// Prints what the command line asks for of a lesson on the built-in paper. Returns the exit code.
 inline int run_lesson(const page::Lesson& lesson, int argc, char** argv) {
-  return page::run_lesson(paper(), lesson, argc, argv);
+  return page::run_lesson(
+      paper(), lesson, [] { return page::built_in_series(paper()); }, argc, argv);
 }
 
 }  // namespace rederive::rocking_block

@@ -1,0 +1,187 @@
+// The command line of the classroom.
+#include <algorithm>
+#include <derivations/program/command_line.hpp>
+#include <lessons/exercises/grade.hpp>
+#include <lessons/exercises/in_page.hpp>
+#include <lessons/exercises/run_exercises.hpp>
+#include <lessons/exercises/selftest.hpp>
+#include <lessons/exercises/serve.hpp>
+#include <lessons/exercises/watch.hpp>
+
+namespace rederive::classroom {
+using namespace language;
+using namespace program;
+
+namespace {
+
+/// What the user typed.
+struct Typed {
+  std::string id, answer, file, working, folder, progress, seed;
+  bool json = false, give_up = false, once = false;
+  int port = 0;
+  GradeFlags grade;
+};
+
+CLI::App* with_json(CLI::App* command, Typed& given) {
+  command->add_flag("--json", given.json, "Write one JSON document instead of text.");
+  return command;
+}
+
+CLI::App* command_with_id(CLI::App& app, const std::string& name, const std::string& says, Typed& given,
+                          bool needed = true) {
+  CLI::App* command = with_json(app.add_subcommand(name, says), given);
+  auto* option = command->add_option("ID", given.id, "Id of the exercise, as in the list.");
+  if (needed) option->required();
+  return command;
+}
+
+void declare_check(CLI::App& app, Typed& given) {
+  auto* check = command_with_id(app, "check",
+                                "Judge an answer. Put -- before an answer that begins with a minus.", given);
+  auto* answer = check->add_option("ANSWER", given.answer, "The answer, in quotes.");
+  auto* file_option = check->add_option("--file", given.file, "Read the answer from this file.");
+  file_option->type_name("FILE")->excludes(answer);
+  check
+      ->add_option("--working", given.working,
+                   "Read from this file, line by line, how you came to the answer.")
+      ->type_name("FILE")
+      ->excludes(answer)
+      ->excludes(file_option);
+  check->footer(
+      R"help(Examples:
+  $ exercises check barrier "m*g*R*(1 - sin(alpha))"
+  $ exercises check barrier --working working.txt
+
+A working is a chain of lines. Each line must follow from the line before, and the last line is the
+answer. A line is an equation, a chain a = b = c, or an expression, alone or after an equals sign.
+Empty lines and lines that begin with # are skipped. A line may end with what is assumed in this line
+alone: [theta > 0, u_gddot = 0], or [small alpha, theta], so that the step need hold to first order
+only. Where a number is asked for, each line is a chain a = b = c that is true for the given numbers.)help");
+}
+
+void declare_grade(CLI::App& app, GradeFlags& flags, Typed& given) {
+  auto* grade = with_json(app.add_subcommand("grade", "Judge a whole class: DIR/<student>/<ID>.txt."), given);
+  grade->add_option("DIR", flags.folder, "Folder of the class, with one folder per student.")->required();
+  const auto file = [&](const char* name, std::string& into, const char* says) {
+    return grade->add_option(name, into, says)->check(file_name)->type_name("FILE");
+  };
+  file("--csv", flags.csv, "Write the rows to this file as CSV. Default: standard output.");
+  file("--gradebook", flags.gradebook,
+       "Write the marks as CSV: one row per student, one column per exercise.");
+  file("--report", flags.report, "Write a page about the common slips, with typical answers.");
+  file("--feedback", flags.feedback, "Write one page per student into this folder, to hand back.")
+      ->type_name("DIR");
+  file("--weights", flags.weights,
+       "Read the weights from a CSV file: exercise,weight. Default: every exercise has weight 1.");
+  file("--deadline", flags.deadline,
+       "Give no marks to later answers: a time, or a CSV file of exercise,deadline.")
+      ->type_name("TIME|FILE");
+  file("--handed-in", flags.handed_in,
+       "Read from a CSV file when answers were handed in: student,exercise,time. Default: the times of the "
+       "files.");
+  grade->footer(
+      R"help(Examples:
+  $ exercises grade class
+  $ exercises grade class --gradebook marks.csv --deadline 2026-12-01T12:00
+  $ exercises grade class --report slips.html --feedback pages
+
+A mark is weight x score. Each attempt after the first costs a tenth of it, down to a half. Attempts are
+known if a student handed in the progress file, exercises.txt, beside the answers. In the gradebook, an
+empty cell means that nothing was handed in, and ? means that the program could not decide: look at the
+answer yourself. CSV files have the header that is named above. A time has the form 2026-12-01T12:00, in
+UTC or with an offset such as +02:00; a day alone ends at midnight. A row of --handed-in without an
+exercise applies to all exercises of the student.
+The exit code is 3 if judging an answer reached a limit or crashed; the last lines name the answers.)help");
+  grade
+      ->add_option("--workers", flags.workers,
+                   "Judge N answers at a time, from 1 to 64. Default: the number of processors.")
+      ->check(whole_number)
+      ->check(CLI::Range(1, 64));
+  grade->add_flag(
+      "--variants", flags.collecting.variants,
+      "Judge each student by the variants of the folder's name; with --seed S, of S and the name, 'Sname'.");
+  grade->add_flag("--missing", flags.collecting.missing,
+                  "Write a row also for each answer that was not handed in.");
+}
+
+void declare(CLI::App& app, Typed& given) {
+  app.require_subcommand(0, 1);
+  app.fallthrough();
+  app.add_option("--progress", given.progress,
+                 "Keep your progress in this file. Default: ~/.local/state/rederive/exercises.txt.")
+      ->type_name("FILE");
+  app.add_option("--seed", given.seed,
+                 "Set the exercises in the variant of this number or name: other numbers, another side.");
+  with_json(app.add_subcommand("list", "List all exercises, and the next one to do."), given);
+  command_with_id(app, "show", "Show the statement of an exercise; without ID, of the next one.", given,
+                  false);
+  declare_check(app, given);
+  command_with_id(app, "hint", "Give one more hint. It never gives the answer away.", given);
+  command_with_id(app, "solution", "Show the answer and its derivation, once the exercise is solved.", given)
+      ->add_flag("--give-up", given.give_up, "Show the answer although the exercise is not solved.");
+  command_with_id(app, "reset", "Open an exercise again. The old answer is kept as a backup.", given);
+  app.add_subcommand("serve",
+                     "Serve lessons and exercises to a browser on this machine, and print the address.")
+      ->add_option("--port", given.port, "Listen on this port, from 0 to 65535. Default: 0, a free port.")
+      ->check(whole_number)
+      ->check(CLI::Range(0, 65535));
+  app.add_subcommand("pages", "Write an index of the lessons and a page of all exercises into a folder.")
+      ->add_option("DIR", given.folder, "Folder for index.html and exercises.html.")
+      ->required();
+  auto* watch = app.add_subcommand("watch", "Judge the files of a folder whenever they change.");
+  watch->add_option("DIR", given.folder, "Folder of your answers, DIR/<ID>.txt.")->required();
+  watch->add_flag("--once", given.once, "Look once and stop.");
+  declare_grade(app, given.grade, given);
+  with_json(app.add_subcommand("selftest", "Prove that the exercise set is sound."), given);
+}
+
+int run(const CLI::App& app, const Typed& given, const Course& course) {
+  const auto progress = progress_file(given.progress, course.progress);
+  std::string seed = given.seed;  // help without one is for the variant that was tried last
+  if (app.get_option("--seed")->empty() && (app.got_subcommand("hint") || app.got_subcommand("solution")))
+    seed = load_progress(progress).records[given.id].seed;
+  const Classroom room{course, read_exercises(course, course.exercises, seed), progress, given.json,
+                       is_lively(1)};
+  read_slip_words();  // what is wrong with their file is said at once
+  if (app.got_subcommand("list")) return list(room);
+  if (app.got_subcommand("show")) return show(room, given.id);
+  if (app.got_subcommand("hint")) return hint(room, given.id);
+  if (app.got_subcommand("solution")) return solution(room, given.id, given.give_up);
+  if (app.got_subcommand("reset")) return reset(room, given.id);
+  if (app.got_subcommand("serve")) return serve(room, given.port);
+  if (app.got_subcommand("pages")) return write_index(room, given.folder);
+  if (app.got_subcommand("watch")) return watch(room, given.folder, given.once);
+  if (app.got_subcommand("grade")) {
+    GradeFlags flags = given.grade;
+    flags.collecting.seed = given.seed;
+    return grade(room, flags);
+  }
+  if (app.got_subcommand("selftest")) return selftest(room);
+  if (app.get_subcommands().empty()) return what_is_next(room);
+  const auto* check_command = app.get_subcommand("check");
+  if (!given.file.empty()) return check_file(room, given.id, given.file, false);
+  if (!given.working.empty()) return check_file(room, given.id, given.working, true);
+  if (check_command->get_option("ANSWER")->count() == 0)
+    throw BadInput("check needs an answer: give ANSWER, --file FILE or --working FILE");
+  return check(room, given.id, trimmed(given.answer));
+}
+
+}  // namespace
+
+int run_exercises(const std::function<const Course&()>& course, const std::string& subject, int argc,
+                  char** argv) {
+  CLI::App app{"Sets exercises on " + subject +
+               ", judges answers by proof, and says what is wrong with them. "
+               "Without "
+               "a\nsubcommand, says what comes next."};
+  Typed given;
+  declare(app, given);
+  app.footer(
+      "Examples:\n"
+      "  $ exercises show barrier\n"
+      "  $ exercises check barrier \"m*g*R*(1 - sin(alpha))\"\n"
+      "  $ exercises serve\n\n");
+  return run_command(app, argc, argv, [&] { return run(app, given, course()); });
+}
+
+}  // namespace rederive::classroom
