@@ -98,12 +98,7 @@ std::vector<std::string> documentation(const EmittedFunction& function, const Sy
   return lines;
 }
 
-const std::vector<std::string>& header() {
-  static const std::vector<std::string> lines = {
-      "Written by emit from the derivations: not to be edited.",
-      "Units are SI; with p = 1 and g = 1 all is dimensionless, and t is p*t."};
-  return lines;
-}
+constexpr auto origin = "Written by emit from the derivations: not to be edited.";
 
 std::string latex_escaped(const std::string& text) {
   std::string result;
@@ -113,7 +108,7 @@ std::string latex_escaped(const std::string& text) {
 
 std::string latex(const Emission& emission) {
   std::string text =
-      "% " + header()[0] + "\n\\documentclass{article}\n\\usepackage{amsmath}\n\\begin{document}\n";
+      "% " + std::string(origin) + "\n\\documentclass{article}\n\\usepackage{amsmath}\n\\begin{document}\n";
   for (const EmittedFunction& function : emission.functions) {
     text += "\n\\paragraph{" + latex_escaped(function.name) + ", equation (" + function.equation + ")} ";
     text += "% hash " + provenance(function, emission.symbols).hash + "\n\\[\n  ";
@@ -148,11 +143,11 @@ Provenance provenance(const EmittedFunction& function, const Symbols& symbols) {
 }
 
 std::string emit(const Emission& emission, Target target, bool sharing) {
-  const auto& [symbols, functions, steppers] = emission;
+  const auto& [symbols, functions, steppers, units] = emission;
   for (const EmittedFunction& function : functions) provenance(function, symbols);  // refuses what is unsound
   if (target == Target::latex) return latex(emission);
   const Dialect& language = dialect(target);
-  std::string text = language.comment(header()) + language.prologue();
+  std::string text = language.comment({origin, units}) + language.prologue();
   for (const EmittedFunction& function : functions) {
     const std::vector<std::string> arguments = argument_names(function);
     const auto write = [&](const std::string& name, bool with_derivatives) {

@@ -27,6 +27,7 @@ struct Emission {
   language::Symbols symbols;
   std::vector<EmittedFunction> functions;
   std::vector<TaylorStepper> steppers = {};
+  std::string units = "Units are SI.";  ///< a sentence for the head of the source text
 };
 
 /// Returns the emission as one self-contained source text, the same bytes every time. With `sharing`, common

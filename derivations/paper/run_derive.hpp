@@ -2,6 +2,7 @@
 #pragma once
 
 #include <derivations/paper/paper.hpp>
+#include <derivations/paper/steps.hpp>
 #include <functional>
 
 namespace rederive::paper {

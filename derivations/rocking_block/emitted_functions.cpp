@@ -161,7 +161,12 @@ Symbols emission_symbols() {
   return symbols;
 }
 
-Emission emission() { return {emission_symbols(), emitted_functions(), taylor_steppers()}; }
+Emission emission() {
+  return {.symbols = emission_symbols(),
+          .functions = emitted_functions(),
+          .steppers = taylor_steppers(),
+          .units = "Units are SI; with p = 1 and g = 1 all is dimensionless, and t is p*t."};
+}
 
 std::vector<EmittedFunction> emitted_functions() {
   List list;

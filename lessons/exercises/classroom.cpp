@@ -20,11 +20,11 @@ std::string solved_so_far(const Classroom& room, const Progress& progress) {
 
 std::string next_line(const Classroom& room, const Progress& progress) {
   if (const Exercise* next = next_exercise(room, progress))
-    return "Next: exercises show " + id_and_seed(*next) + "\n";
+    return "Next: " + room.course.program + " show " + id_and_seed(*next) + "\n";
   const auto given_up = count_of(room, progress, Status::given_up);
-  return given_up == 0
-             ? "All exercises are solved. Well worked.\n"
-             : fmt::format("All exercises are done, {} of them given up: exercises list\n", given_up);
+  return given_up == 0 ? "All exercises are solved. Well worked.\n"
+                       : fmt::format("All exercises are done, {} of them given up: {} list\n", given_up,
+                                     room.course.program);
 }
 
 /// Keeps an attempt, reports on it, and returns the exit code.
@@ -62,8 +62,9 @@ const Exercise& find_exercise(const Classroom& room, const std::string& id) {
   for (const auto& exercise : room.exercises)
     if (!id.empty() && (exercise.id.find(id) != std::string::npos || exercise.id[0] == id[0]))
       like += (like.empty() ? "" : ", ") + exercise.id;
-  throw BadInput(fmt::format("there is no exercise '{}'. {}", printable_line(id),
-                             like.empty() ? "See: exercises list" : "Did you mean one of: " + like + "?"));
+  throw BadInput(fmt::format(
+      "there is no exercise '{}'. {}", printable_line(id),
+      like.empty() ? "See: " + room.course.program + " list" : "Did you mean one of: " + like + "?"));
 }
 
 const Exercise* next_exercise(const Classroom& room, const Progress& progress) {
@@ -159,7 +160,7 @@ int list(const Classroom& room) {
 int what_is_next(const Classroom& room) {
   const Progress progress = load_progress(room.progress);
   say(solved_so_far(room, progress) + next_line(room, progress) +
-      "To see all subcommands: exercises --help\n");
+      "To see all subcommands: " + room.course.program + " --help\n");
   return as_expected;
 }
 
@@ -167,7 +168,7 @@ int show(const Classroom& room, const std::string& id) {
   const Exercise* exercise =
       id.empty() ? next_exercise(room, load_progress(room.progress)) : &find_exercise(room, id);
   if (exercise == nullptr)
-    say("All exercises are done. Read one again with: exercises show ID\n");
+    say("All exercises are done. Read one again with: " + room.course.program + " show ID\n");
   else if (room.json)
     say_json(presentation_json(*exercise));
   else
@@ -208,9 +209,9 @@ int hint(const Classroom& room, const std::string& id) {
                   {"last", hint.number >= hint.of}});
   else
     say(printable(hint.head) + "\n" + text +
-        (hint.is_new
-             ? ""
-             : "That was the last hint. To see the answer: exercises solution " + id + " --give-up\n"));
+        (hint.is_new ? ""
+                     : "That was the last hint. To see the answer: " + room.course.program + " solution " +
+                           id + " --give-up\n"));
   return as_expected;
 }
 

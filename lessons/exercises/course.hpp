@@ -38,6 +38,7 @@ struct Course {
   const paper::Paper& paper;
   std::filesystem::path exercises;  ///< a TOML file, or a folder with TOML files
   LessonPages lessons;
+  std::string program;             ///< what a user types before a subcommand: "exercises"
   std::filesystem::path progress;  ///< the file in which progress is kept unless another one is named
   /// What names stand for wherever they are used: an answer may use either.
   std::vector<language::Given> definitions = {};

@@ -156,8 +156,8 @@ int selftest(const Classroom& room) {
                   {"complaints", complaints}});
   } else {
     for (const auto& complaint : complaints) say(complaint + "\n");
-    say(fmt::format("{} exercises, {} variants, {} checks, {} complaints\n", room.exercises.size(), variants,
-                    checks, complaints.size()));
+    say(fmt::format("{}, {} variants, {} checks, {} complaints\n", counted(room.exercises.size(), "exercise"),
+                    variants, checks, complaints.size()));
   }
   return complaints.empty() ? as_expected : not_as_expected;
 }

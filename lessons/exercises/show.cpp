@@ -116,8 +116,8 @@ std::string presentation(const Exercise& exercise) {
   if (!exercise.symbols.empty()) text += "You may use:\n" + symbol_table(exercise) + "\n";
   text += "Form wanted: " + form_in_words(exercise) + "\n";
   text += "An answer looks like this (for a different question): " + default_example(exercise) + "\n";
-  return text + fmt::format("\nTo answer: exercises check {0} \"...\"     for help: exercises hint {0}\n",
-                            id_and_seed(exercise));
+  return text + fmt::format("\nTo answer: {1} check {0} \"...\"     for help: {1} hint {0}\n",
+                            id_and_seed(exercise), exercise.course->program);
 }
 
 Json presentation_json(const Exercise& exercise) {
@@ -154,7 +154,8 @@ std::string report(const Exercise& exercise, const Opinion& opinion, bool lively
     text += fmt::format("  {}{}{}\n", is_step ? "here:   " : "yours: ", what, opinion.witness->printed);
     text += fmt::format("  {}{}{}\n", is_step ? "before: " : "right: ", what, opinion.witness->derived);
   }
-  if (exit_code(opinion) == 1) text += "Stuck? exercises hint " + id_and_seed(exercise) + "\n";
+  if (exit_code(opinion) == 1)
+    text += "Stuck? " + exercise.course->program + " hint " + id_and_seed(exercise) + "\n";
   return text;
 }
 

@@ -54,7 +54,7 @@ class Watch {
   void begin(const Exercise* exercise) {
     current_ = exercise;
     if (exercise == nullptr) {
-      say("All exercises are done: exercises list\n");
+      say("All exercises are done: " + room_.course.program + " list\n");
       return;
     }
     const fs::path file = path_of(*exercise);

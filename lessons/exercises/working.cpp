@@ -267,8 +267,8 @@ Working judge_working(const Exercise& exercise, const std::vector<std::pair<int,
   if (!exercise.asks_for_formula())
     throw BadInput(
         fmt::format("'{0}' does not ask for a formula, so its working cannot be followed. Judge its answer "
-                    "alone with exercises check {0} ANSWER",
-                    exercise.id));
+                    "alone with {1} check {0} ANSWER",
+                    exercise.id, exercise.course->program));
   Working result{{}, lines.back().second, exercise};
   std::vector<Step> steps;
   if (const auto refused = read_lines(exercise, lines, steps)) {

@@ -98,8 +98,10 @@ std::vector<Passage> sheet(const std::vector<Entry>& wrong, const Paper& paper) 
 std::string errata(const std::vector<Entry>& entries, const std::string& format, const Paper& paper) {
   const std::vector<Entry> wrong = those_refuted(entries);
   if (format != "json") {
-    static const std::map<std::string, Format> formats{
-        {"text", Format::unicode}, {"markdown", Format::markdown}, {"latex", Format::latex}, {"html", Format::html}};
+    static const std::map<std::string, Format> formats{{"text", Format::unicode},
+                                                       {"markdown", Format::markdown},
+                                                       {"latex", Format::latex},
+                                                       {"html", Format::html}};
     return rendered({"Errata: " + paper.title}, sheet(wrong, paper),
                     {.paper = paper, .format = formats.at(format)});
   }

@@ -16,8 +16,8 @@ std::string ledger_table(const std::vector<paper::Entry>& entries, const languag
                          bool colour);
 /// Returns everything about one row as text: printed, derived with its steps, verdict, witness, consequence.
 std::string ledger_page(const paper::Entry& entry, const language::Symbols& symbols, bool colour);
-/// Returns the refuted rows, those on which most other rows rest first. `format` is "text", "markdown", "html",
-/// "latex" or "json".
+/// Returns the refuted rows, those on which most other rows rest first. `format` is "text", "markdown",
+/// "html", "latex" or "json".
 std::string errata(const std::vector<paper::Entry>& entries, const std::string& format,
                    const paper::Paper& paper);
 /// Returns the derivation graph in DOT, coloured by verdict.

@@ -121,10 +121,11 @@ std::vector<Passage> other_rows(const Lesson& lesson, const Setting& setting,
 void write_lesson(const Lesson& lesson, const Flags& flags, const Setting& setting,
                   const std::function<void(const std::string&)>& put) {
   const auto renderer = make_renderer(setting);
-  Front front{fmt::format("Lesson {}. {}", lesson.number, lesson.title),
-              {{"Teaches", lesson.teaches}, {"Builds on", lesson.builds_on}}};
-  const std::string ids = numbers_of(setting.equations_of(lesson.number));
-  if (!ids.empty()) front.about.emplace_back("Equations", ids);
+  Front front{fmt::format("Lesson {}. {}", lesson.number, lesson.title)};
+  for (const auto& [label, words] : {std::pair("Teaches", lesson.teaches),
+                                     {"Builds on", lesson.builds_on},
+                                     {"Equations", numbers_of(setting.equations_of(lesson.number))}})
+    if (!words.empty()) front.about.emplace_back(label, words);
   if (!flags.step) put(renderer->begin(front));
   std::vector<Passage> shown;
   for (std::size_t i = 0; i < lesson.steps.size(); ++i) {

@@ -10,12 +10,12 @@ namespace fs = std::filesystem;
 
 namespace {
 
-struct Options {
+struct NewOptions {
   std::string folder, from = "rod";
   bool python = false, cpp = false;
 };
 
-int copy_example(const Options& options) {
+int copy_example(const NewOptions& options) {
   if (fs::exists(options.folder) && !fs::is_empty(options.folder))
     throw BadInput("'" + printable_name(options.folder) + "' exists already; give the name of a new folder");
   const fs::path papers = data_folder() / "papers", example = papers / options.from;
@@ -43,7 +43,7 @@ int copy_example(const Options& options) {
 
 int run_new(int argc, char** argv) {
   CLI::App app{"Writes the folder of a paper that passes its own test, to begin with."};
-  Options options;
+  NewOptions options;
   app.add_option("DIR", options.folder, "Folder for the paper. It must be new or empty.")->required();
   app.add_option("--from", options.from, "Begin with this example. Default: rod.")
       ->check(CLI::IsMember({"rod", "oscillator", "empty"}));

@@ -131,6 +131,7 @@ PaperFolder::PaperFolder(const fs::path& folder, Stale stale)
                                     return lesson_page(paper_, lesson, series(), forms);
                                 throw BadInput("there is no lesson " + name);
                               }},
+              .program = "rederive " + paper_.folder.filename().string() + " exercises",
               .progress = state_folder() / ("exercises-" + paper_.folder.filename().string() + ".txt")} {}
 
 bool PaperFolder::has_exercises() const { return fs::exists(course_.exercises); }

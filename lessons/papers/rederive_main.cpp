@@ -132,5 +132,9 @@ int main(int argc, char** argv) {
   static const std::vector<std::string> own{"build",     "emit", "solve", "lesson",
                                             "exercises", "site", "watch", "test"};
   const bool is_own = std::find(own.begin(), own.end(), command) != own.end();
-  return run(first, command, argc - (is_own ? 2 : 1), argv + (is_own ? 2 : 1));
+  const int skipped = is_own ? 2 : 1;
+  std::string name =
+      "rederive " + fs::path(first).lexically_normal().filename().string() + (is_own ? " " + command : "");
+  argv[skipped] = name.data();
+  return run(first, command, argc - skipped, argv + skipped);
 }

@@ -218,7 +218,7 @@ class Integrator {
   int steps_ = 0;
 };
 
-struct Options {
+struct SolveOptions {
   std::string row, stepper, csv, plot;
   std::vector<std::string> values, events;
   double until = 0;
@@ -226,7 +226,7 @@ struct Options {
   bool json = false;
 };
 
-const TaylorStepper& chosen(const Emission& emission, const Options& options) {
+const TaylorStepper& chosen(const Emission& emission, const SolveOptions& options) {
   if (emission.steppers.empty())
     throw BadInput("functions.toml has no [[stepper]]; it says which row is an equation of motion");
   std::string known;
@@ -253,7 +253,7 @@ std::map<std::string, double> values_in(const std::vector<std::string>& texts, c
   return values;
 }
 
-Problem problem_of(const TaylorStepper& stepper, const Options& options, const Paper& paper,
+Problem problem_of(const TaylorStepper& stepper, const SolveOptions& options, const Paper& paper,
                    const std::vector<std::string>& events) {
   std::map<std::string, double> values = values_in(options.values, paper);
   Problem problem;
@@ -309,7 +309,7 @@ void draw_motion(const Motion& motion, const Problem& problem, const Paper& pape
   numerics::draw(plot, file);
 }
 
-int solve(const Options& options, const PaperFolder& folder) {
+int solve(const SolveOptions& options, const PaperFolder& folder) {
   const Paper& paper = folder.paper();
   const Emission emission = paper.emission();
   const TaylorStepper& stepper = chosen(emission, options);
@@ -354,7 +354,7 @@ int solve(const Options& options, const PaperFolder& folder) {
 
 int run_solve(const std::function<const PaperFolder&()>& folder, int argc, char** argv) {
   CLI::App app{"Integrates an equation of motion of the paper, a [[stepper]] of functions.toml."};
-  Options options;
+  SolveOptions options;
   app.add_option("--row", options.row,
                  "Integrate the right side of this row. Default: of the first stepper.");
   app.add_option("--stepper", options.stepper, "Integrate this stepper, by its name.");

@@ -128,6 +128,7 @@ const classroom::Course& course() {
         .paper = paper(),
         .exercises = exercises_folder(),
         .lessons = {.titles = titles_of_lessons, .page = page_of_lesson, .has_workbench = true},
+        .program = "exercises",
         .progress = program::state_folder() / "exercises.txt",
         .definitions = definitions,
         .derivations = {{"mass_at_the_top", mass_at_the_top}, {"half_sine", half_sine}},
