@@ -27,15 +27,15 @@ constexpr std::pair<char32_t, std::u32string_view> composed[] = {
     {macron, U"ĀAāaĒEēeūu"}};
 
 /// Returns the code points of a text. A letter with dots becomes the letter and its combining mark, other
-/// blanks become ' '. Throws SyntaxError "character" for invalid UTF-8 and control characters.
+/// blanks become ' '. Throws SyntaxError for invalid UTF-8 and control characters.
 Characters decode(std::string_view text) {
   Characters result;
   for (std::size_t position = 0, next = 0; position < text.size(); position = next) {
     const auto [code, bytes] = first_character(text.substr(position));
-    if (bytes == 0) throw SyntaxError("character", position, "these bytes are not UTF-8 text");
+    if (bytes == 0) throw SyntaxError(Mistake::character, position, "these bytes are not UTF-8 text");
     next = position + bytes;
     if (is_control(code) && !is_space(code))
-      throw SyntaxError("character", position, "there is an invisible control character here");
+      throw SyntaxError(Mistake::character, position, "there is an invisible control character here");
     result.add(is_space(code) ? U' ' : code, position);
     for (const auto& [mark, pairs] : composed) {
       const std::size_t pair = code < 0x80 ? pairs.npos : pairs.find(code);
@@ -95,12 +95,12 @@ class Tokenizer {
       : text_(text), symbols_(symbols), limits_(limits) {
     if (text.size() <= 4 * limits.characters) characters_ = decode(text);
     if (text.size() > 4 * limits.characters || characters_.codes.size() > limits.characters + 1)
-      throw SyntaxError("too_long", characters_.codes.empty() ? 0 : byte(limits.characters),
+      throw SyntaxError(Mistake::too_long, characters_.codes.empty() ? 0 : byte(limits.characters),
                         "the text is longer than " + std::to_string(limits.characters) + " characters");
     const bool is_ascii = std::ranges::max(characters_.codes) < 0x80;  // then it has no Greek letter
     for (const auto& [name, symbol] : symbols.table()) {
       if (is_ascii && (symbol.unicode[0] & 0x80) != 0) continue;
-      if (symbols.find(symbol.unicode) != nullptr) continue;  // a name is read as the symbol of that name
+      if (symbol.unicode == name || symbols.find(symbol.unicode) != nullptr) continue;  // read as that name
       spellings_.emplace_back(decode(symbol.unicode).codes, name);
       spellings_.back().first.pop_back();
     }
@@ -121,8 +121,8 @@ class Tokenizer {
   void add(Token::Kind kind, std::string text) {
     tokens_.push_back({kind, std::move(text), byte(start_), byte(at_)});
   }
-  [[noreturn]] void refuse(const char* note, const std::string& message) const {
-    throw SyntaxError(note, byte(start_), message);
+  [[noreturn]] void refuse(Mistake mistake, const std::string& message) const {
+    throw SyntaxError(mistake, byte(start_), message);
   }
 
   void read() {
@@ -134,7 +134,7 @@ class Tokenizer {
     for (const Spelling& single : singles)
       if (single.characters.find(code()) != std::u32string_view::npos) return add(single, 1);
     const std::string unseen = fmt::format("the invisible character U+{:04X}", std::uint32_t{code()});
-    refuse("character",
+    refuse(Mistake::character,
            (is_invisible(code()) ? unseen : "'" + typed(start_, at_ + 1) + "'") + " has no meaning here");
   }
 
@@ -145,7 +145,7 @@ class Tokenizer {
 
   void add(const Spelling& spelling, std::size_t size) {
     if (spelling.kind == slip)
-      refuse("syntax", fmt::format(fmt::runtime(spelling.text), typed(start_, at_ + 1)));
+      refuse(Mistake::syntax, fmt::format(fmt::runtime(spelling.text), typed(start_, at_ + 1)));
     at_ += size;
     add(spelling.kind, spelling.text);
   }
@@ -156,7 +156,7 @@ class Tokenizer {
     skip_digits();
     const bool has_point = code() == '.';
     if (has_point) ++at_, skip_digits();
-    if (code() == '.') refuse("syntax", "a number has one decimal point");
+    if (code() == '.') refuse(Mistake::syntax, "a number has one decimal point");
     double digits = static_cast<double>(at_ - start_) - (has_point ? 1 : 0);
     const std::size_t sign = code(1) == '+' || code(1) == '-' ? 1 : 0;
     if ((code() == 'e' || code() == 'E') && is_digit(code(1 + sign))) {
@@ -165,14 +165,15 @@ class Tokenizer {
       digits += std::strtod(typed(power, at_).c_str(), nullptr);
     }
     if (digits > static_cast<double>(limits_.digits))
-      refuse("too_large", "this number needs more than " + std::to_string(limits_.digits) + " digits");
+      refuse(Mistake::too_large, "this number needs more than " + std::to_string(limits_.digits) + " digits");
     add(Token::Kind::number, typed(start_, at_));
   }
 
   void read_superscript() {
     std::string exponent = code() == U'⁻' ? "-" : "";
     if (code() == U'⁻' || code() == U'⁺') ++at_;
-    if (superscript_digit(code()) < 0) refuse("character", "a superscript sign needs a superscript digit");
+    if (superscript_digit(code()) < 0)
+      refuse(Mistake::character, "a superscript sign needs a superscript digit");
     for (; superscript_digit(code()) >= 0; ++at_)
       exponent += static_cast<char>('0' + superscript_digit(code()));
     add(Token::Kind::superscript, exponent);
@@ -223,7 +224,7 @@ class Tokenizer {
         name += c < 0x80 ? std::string(1, static_cast<char>(c)) : std::string(greek_name(c));
       }
     }
-    if (dots > 2) refuse("unknown_symbol", "more than two dots have no name here");
+    if (dots > 2) refuse(Mistake::unknown_symbol, "more than two dots have no name here");
     if (dots > 0) suffix += dots == 1 ? "dot" : "ddot";
     after_letter = std::min(after_letter, name.size());
     const std::string inside = name.substr(0, after_letter) + suffix + name.substr(after_letter);
@@ -241,7 +242,8 @@ class Tokenizer {
   std::string checked_pi(const std::string& name) const {
     if (name != "Pi" && name != "PI" && name != "pI") return name;
     if (typed(start_, at_) == "Pi") return "pi";
-    refuse("unknown_symbol", "'" + typed(start_, at_) + "' is not a symbol here: the constant is written pi");
+    refuse(Mistake::unknown_symbol,
+           "'" + typed(start_, at_) + "' is not a symbol here: the constant is written pi");
   }
 
   std::string_view text_;

@@ -42,8 +42,8 @@ struct Run {
 };
 /// Returns how the whole text should be written, ": write a*b"; both readings of a/b c.
 std::string advice(const Relation& relation, const std::vector<Run>& runs, const Symbols& symbols);
-/// Returns whether this is the name of a function in other languages, such as arcsin or ln.
-bool is_function_elsewhere(std::string_view name);
+/// Returns our name of a function that has another name elsewhere: "asin" for "arcsin"; "" for other words.
+std::string function_elsewhere(std::string_view name);
 /// Returns the message for an unknown function or symbol; `quoted` is the name as it was typed.
 std::string unknown_function(std::string_view name, const std::string& quoted);
 std::string unknown_symbol(std::string_view name, const std::string& quoted, const Symbols& symbols);

@@ -17,13 +17,13 @@ struct Lowered {
 constexpr double most_bits = 1 << 16, most_parts = 100'000;
 constexpr int largest_root = 1000;
 
-[[noreturn]] void refuse(const Node& node, const char* note, const std::string& message) {
-  throw SyntaxError(note, node.position, message);
+[[noreturn]] void refuse(const Node& node, Mistake mistake, const std::string& message) {
+  throw SyntaxError(mistake, node.position, message);
 }
 
 void check_size(const Node& node, double bits, double parts) {
-  if (bits > most_bits) refuse(node, "too_large", "the numbers in this would be too large");
-  if (parts > most_parts) refuse(node, "too_large", "this would be too large when written out");
+  if (bits > most_bits) refuse(node, Mistake::too_large, "the numbers in this would be too large");
+  if (parts > most_parts) refuse(node, Mistake::too_large, "this would be too large when written out");
 }
 
 struct Lowering {
@@ -35,14 +35,14 @@ struct Lowering {
       Lowered result = build(*tree);
       check_size(*tree, result.bits, result.parts);
       if (is_a<numeric>(result.value) && !result.value.info(GiNaC::info_flags::real))
-        refuse(*tree, "undefined", "this has no real value");
+        refuse(*tree, Mistake::undefined, "this has no real value");
       return result;
     } catch (const SyntaxError&) {
       throw;
     } catch (const std::out_of_range&) {
-      refuse(*tree, "unknown_symbol", "there is no symbol '" + tree->text + "'");
+      refuse(*tree, Mistake::unknown_symbol, "there is no symbol '" + tree->text + "'");
     } catch (const std::exception&) {  // GiNaC's pole_error, and its relatives
-      refuse(*tree, "undefined", "this has no value: it divides by zero, or is a pole of a function");
+      refuse(*tree, Mistake::undefined, "this has no value: it divides by zero, or is a pole of a function");
     }
   }
 
@@ -67,7 +67,7 @@ struct Lowering {
       const auto [value, bits, parts] = lower(node.children[i]);
       all.bits += bits, all.parts += parts;
       if (node.inverse[i] && !is_sum && value.is_zero())
-        refuse(*node.children[i], "undefined", "this divisor is zero");
+        refuse(*node.children[i], Mistake::undefined, "this divisor is zero");
       values.push_back(!node.inverse[i] ? value : is_sum ? -value : pow(value, -1));
     }
     check_size(node, all.bits, all.parts);
@@ -83,29 +83,30 @@ struct Lowering {
     const ex inner = is_a<GiNaC::power>(base.value) ? base.value.op(1) : ex(1);
     const numeric total = is_a<numeric>(inner) ? n * GiNaC::ex_to<numeric>(inner) : n;
     if (GiNaC::abs(total) > limits.exponent)
-      refuse(*node.children[1], "too_large", "exponents go up to " + std::to_string(limits.exponent));
+      refuse(*node.children[1], Mistake::too_large, "exponents go up to " + std::to_string(limits.exponent));
     if (n.denom() > largest_root)
-      refuse(*node.children[1], "too_large",
+      refuse(*node.children[1], Mistake::too_large,
              "as a fraction, an exponent has a denominator up to " + std::to_string(largest_root) +
                  ": write 1/3 for 0.333…");
     const double bits = (base.bits + 1) * (GiNaC::abs(n).to_double() + 1);
     check_size(node, bits, base.parts + 1);
     if (base.value.info(GiNaC::info_flags::negative) && is_a<numeric>(base.value) && !n.is_integer())
-      refuse(node, "undefined", "a root of a negative number has no real value");
+      refuse(node, Mistake::undefined, "a root of a negative number has no real value");
     if (base.value.is_zero() && !n.is_positive())
-      refuse(node, "undefined", "this divides by zero, or is 0^0");
+      refuse(node, Mistake::undefined, "this divides by zero, or is 0^0");
     return {pow(base.value, n), bits, base.parts + 1};
   }
 
   Lowered call(const Node& node) const {
     const Function* function = find_function(node.text);
-    if (function == nullptr) refuse(node, "unknown_function", "there is no function '" + node.text + "'");
+    if (function == nullptr)
+      refuse(node, Mistake::unknown_function, "there is no function '" + node.text + "'");
     const Lowered argument = lower(node.children[0]);
     const auto sign_beyond = [&](long end) -> std::optional<int> {
       return GiNaC::ex_to<numeric>(argument.value - end).csgn();
     };
     if (is_a<numeric>(argument.value) && function->domain.excludes(sign_beyond))
-      refuse(node, "undefined", "this has no real value");
+      refuse(node, Mistake::undefined, "this has no real value");
     const double copies = node.text == "cot" || node.text == "coth" ? 2 : 1;  // cos(x)/sin(x)
     const double bits = copies * argument.bits + 1, parts = copies * argument.parts + 1;
     check_size(node, bits, parts);
@@ -120,8 +121,7 @@ class Real : public GiNaC::map_function {
     if (is_a<numeric>(e) && !e.info(GiNaC::info_flags::real)) throw std::domain_error("not real");
     if (!is_a<GiNaC::function>(e)) return e.map(*this);
     const std::string name = GiNaC::ex_to<GiNaC::function>(e).get_name();
-    if (name == "imag_part" || name == "atan2")
-      return 0;  // the angle of a real power is that of its positive base
+    if (name == "imag_part" || name == "atan2") return 0;  // the angle of the positive base of a power
     return name == "conjugate" || name == "real_part" ? (*this)(e.op(0)) : e.map(*this);
   }
 };
@@ -133,7 +133,7 @@ ex lower(const Tree& tree, const Symbols& symbols, const Limits& limits) {
   try {
     return Real()(value);
   } catch (const std::domain_error&) {  // GiNaC's pole_error is one
-    refuse(*tree, "undefined", "this has no real value");
+    refuse(*tree, Mistake::undefined, "this has no real value");
   }
 }
 

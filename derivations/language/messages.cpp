@@ -6,16 +6,6 @@
 
 namespace rederive::language {
 namespace {
-/// Returns our name of a function that has another name elsewhere: "asin" for "arcsin"; "" for other words.
-std::string function_elsewhere(std::string_view name) {
-  const std::string word = " " + lower_case(name) + " ";
-  if (word == " log10 ") return "log(x)/log(10)";
-  for (const Function& function : functions())
-    if ((" " + std::string(function.aliases) + " ").find(word) != std::string::npos)
-      return std::string(function.name);
-  return {};
-}
-
 std::string nearest_symbol(std::string_view name, const Symbols& symbols) {
   std::vector<std::string> known = symbols.names();
   known.emplace_back("pi");
@@ -63,7 +53,7 @@ bool is_no_number(std::string_view name) {
 
 std::vector<std::string> words_in(const std::string& name, std::size_t characters, const Symbols& symbols) {
   if (symbols.find(name) != nullptr || name.size() > longest_name) return {name};
-  if (is_no_number(name) || is_function_elsewhere(name)) return {name};
+  if (is_no_number(name) || !function_elsewhere(name).empty()) return {name};
   const auto words = split(name, symbols, 3, false);
   const bool is_meant =
       !words.empty() && (characters <= 3 || is_function(words[0]) || nearest_symbol(name, symbols).empty());
@@ -82,7 +72,14 @@ std::string advice(const Relation& relation, const std::vector<Run>& runs, const
   return ": write " + (grouped == flat ? flat : grouped + " or " + flat);
 }
 
-bool is_function_elsewhere(std::string_view name) { return !function_elsewhere(name).empty(); }
+std::string function_elsewhere(std::string_view name) {
+  const std::string word = " " + lower_case(name) + " ";
+  if (word == " log10 ") return "log(x)/log(10)";
+  for (const Function& function : functions())
+    if ((" " + std::string(function.aliases) + " ").find(word) != std::string::npos)
+      return std::string(function.name);
+  return {};
+}
 
 std::string unknown_function(std::string_view name, const std::string& quoted) {
   std::vector<std::string> known{"abs", "pow"};

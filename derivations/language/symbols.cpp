@@ -13,11 +13,6 @@ Range read_range(std::string_view text) {
   return {part[2], part[3], part[1] == "[", part[4] == "]"};
 }
 
-std::string in_brackets(const Range& range) {
-  return (range.lower_closed ? "[" : "(") + range.lower + ", " + range.upper +
-         (range.upper_closed ? "]" : ")");
-}
-
 Symbol::Symbol(std::string its_name, std::string its_latex, std::string its_unicode, std::string its_unit,
                std::string its_range, std::string its_meaning, std::string its_introduced)
     : name(std::move(its_name)),
@@ -44,10 +39,10 @@ const Symbol& Symbols::declare(Symbol symbol) {
   return own_table().insert_or_assign(std::string(symbol.name), std::move(symbol)).first->second;
 }
 
-void Symbols::narrow(std::string_view name, std::string range) {
+void Symbols::narrow(std::string_view name, const Range& range) {
   (void)(*this)[name];
-  (void)read_range(range);
-  own_table().find(name)->second.range = std::move(range);
+  own_table().find(name)->second.range =
+      (range.lower_closed ? "[" : "(") + range.lower + ", " + range.upper + (range.upper_closed ? "]" : ")");
 }
 
 const Symbol* Symbols::find(std::string_view name) const {

@@ -52,8 +52,6 @@ struct Range {
 };
 /// Returns the range of a text such as "(0, pi/2]". Throws std::invalid_argument for other texts.
 Range read_range(std::string_view text);
-/// Returns the text of a range.
-std::string in_brackets(const Range& range);
 
 /// A set of declared symbols. Copies share the GiNaC symbols, except those that are declared again.
 class Symbols {
@@ -61,9 +59,8 @@ class Symbols {
   /// Declares a symbol, or declares it anew (a user's assumption replaces the range).
   /// Throws std::invalid_argument if the name or the range cannot be read.
   const Symbol& declare(Symbol symbol);
-  /// Replaces the range alone, so that the GiNaC symbol and all expressions with it stay the same. Throws
-  /// std::out_of_range for an unknown name and std::invalid_argument for an unreadable range.
-  void narrow(std::string_view name, std::string range);
+  /// Replaces the range; the GiNaC symbol stays the same. Throws std::out_of_range for an unknown name.
+  void narrow(std::string_view name, const Range& range);
   const Symbol* find(std::string_view name) const;    ///< nullptr if it is not declared
   const Symbol* find(const GiNaC::ex& symbol) const;  ///< by its GiNaC symbol
   /// Returns the GiNaC symbol of a name. Throws std::out_of_range, with the name, if it is not declared.

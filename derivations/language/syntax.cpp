@@ -21,18 +21,18 @@ class Parser {
       : text_(text), symbols_(symbols), limits_(limits), tokens_(tokenize(text, symbols, limits)) {}
 
   Relation statement() {
-    if (now().kind == Is::end) refuse("empty", "there is no formula here", now());
+    if (now().kind == Is::end) refuse(Mistake::empty, "there is no formula here");
     Relation relation;
     relation.sides.push_back(sum());
     while (now().kind == Is::relation) {
       relation.operators.push_back(take().text);
       relation.sides.push_back(sum());
     }
-    if (now().is(")")) refuse("syntax", "this parenthesis closes nothing", now());
+    if (now().is(")")) refuse(Mistake::syntax, "this parenthesis closes nothing");
     if (now().is(",")) refuse_comma();
     if (slip_)
       throw SyntaxError(
-          slip_->note, slip_->position,
+          slip_->mistake, slip_->position,
           slip_->what() + (has_open_argument_ ? "; where the argument of a function ends is not plain"
                                               : advice(relation, runs_, symbols_)));
     return relation;
@@ -42,7 +42,7 @@ class Parser {
     Relation relation = statement();
     if (relation.operators.empty()) return relation.sides[0];
     const Token& sign = *std::ranges::find(tokens_, Is::relation, &Token::kind);
-    refuse("relation", "an expression is expected here, without '" + sign.text + "'", sign);
+    refuse(Mistake::relation, "an expression is expected here, without '" + sign.text + "'", sign);
   }
 
  private:
@@ -50,12 +50,15 @@ class Parser {
   const Token& take() { return tokens_[at_++]; }
   bool take_if(std::string_view mark) { return now().is(mark) && ++at_ > 0; }
   bool is_either(std::string_view a, std::string_view b) const { return now().is(a) || now().is(b); }
-  [[noreturn]] static void refuse(const char* note, const std::string& message, const Token& where) {
-    throw SyntaxError(note, where.position, message);
+  [[noreturn]] static void refuse(Mistake mistake, const std::string& message, const Token& where) {
+    throw SyntaxError(mistake, where.position, message);
+  }
+  [[noreturn]] void refuse(Mistake mistake, const std::string& message) const {
+    refuse(mistake, message, now());
   }
   /// Reports an error at the end of the text, with the whole text as it was probably meant.
-  void note(const char* note, const std::string& message, const Token& where) {
-    if (!slip_) slip_ = SyntaxError(note, where.position, message);
+  void note(Mistake mistake, const std::string& message, const Token& where) {
+    if (!slip_) slip_ = SyntaxError(mistake, where.position, message);
   }
   std::string quoted(const Token& token) const {
     const std::string_view typed = text_.substr(token.position, token.end - token.position);
@@ -66,7 +69,7 @@ class Parser {
   void go_down() {
     constexpr std::size_t bearable = 500;
     if (++depth_ <= std::min(limits_.depth, bearable)) return;
-    refuse("too_deep", "this is nested deeper than " + std::to_string(depth_ - 1) + " levels", now());
+    refuse(Mistake::too_deep, "this is nested deeper than " + std::to_string(depth_ - 1) + " levels");
   }
   Tree back_up(Tree result) {
     --depth_;
@@ -124,12 +127,11 @@ class Parser {
     for (; now().starts_operand() && (with_functions || !is_function(now().text));
          node.inverse.push_back(false)) {
       if (now().text == "and" || now().text == "or")
-        refuse("syntax", "one statement at a time: " + quoted(now()) + " is not read here", now());
+        refuse(Mistake::syntax, "one statement at a time: " + quoted(now()) + " is not read here");
       if (is_number(at_ - 1) && is_number(at_))
-        refuse("implicit_multiplication",
-               "two numbers side by side may be a sum, as in 1 1/2, or a product: the sign is missing",
-               now());
-      note("implicit_multiplication", "a product needs its '*'", now());
+        refuse(Mistake::implicit_multiplication,
+               "two numbers side by side may be a sum, as in 1 1/2, or a product: the sign is missing");
+      note(Mistake::implicit_multiplication, "a product needs its '*'", now());
       node.children.push_back(power());
     }
     if (node.children.size() == 1) return node.children[0];
@@ -143,7 +145,7 @@ class Parser {
     if (now().kind == Is::superscript) {
       base = make_tree(Kind::power, "", {base, superscript()}, {}, position);
       if (now().is("^") || now().kind == Is::superscript)
-        refuse("syntax", "a power of a power needs parentheses: (x^2)^3", now());
+        refuse(Mistake::syntax, "a power of a power needs parentheses: (x^2)^3");
     }
     if (!now().is("^")) return base;
     go_down();
@@ -165,7 +167,7 @@ class Parser {
   void check_exponent(const Node& exponent, const Token& where) const {
     if (exponent.kind == Kind::negative) return check_exponent(*exponent.children[0], where);
     if (exponent.kind != Kind::number || exact(exponent.text) <= limits_.exponent) return;
-    refuse("too_large", "exponents go up to " + std::to_string(limits_.exponent), where);
+    refuse(Mistake::too_large, "exponents go up to " + std::to_string(limits_.exponent), where);
   }
 
   Tree primary() {
@@ -184,26 +186,26 @@ class Parser {
 
   void close(const Token& opened) {
     if (take_if(")")) return;
-    if (now().kind == Is::relation) refuse("relation", "a relation is not allowed inside parentheses", now());
+    if (now().kind == Is::relation) refuse(Mistake::relation, "a relation is not allowed inside parentheses");
     if (now().is(",")) refuse_comma();
-    refuse("syntax", "this parenthesis is never closed", opened);
+    refuse(Mistake::syntax, "this parenthesis is never closed", opened);
   }
 
   /// Throws because an operand should begin here, but none does, as in x*, () or ².
   [[noreturn]] void refuse_operand() const {
-    if (now().kind == Is::superscript) refuse("syntax", "this exponent has no base", now());
-    if (at_ == 0) refuse("syntax", "an operand is missing before " + quoted(now()), now());
+    if (now().kind == Is::superscript) refuse(Mistake::syntax, "this exponent has no base");
+    if (at_ == 0) refuse(Mistake::syntax, "an operand is missing before " + quoted(now()));
     const Token& before = tokens_[at_ - 1];
-    if (before.is("(") && now().is(")")) refuse("syntax", "there is nothing in these parentheses", now());
-    refuse("syntax", "an operand is missing after " + quoted(before), now());
+    if (before.is("(") && now().is(")")) refuse(Mistake::syntax, "there is nothing in these parentheses");
+    refuse(Mistake::syntax, "an operand is missing after " + quoted(before));
   }
 
   /// Throws because of a comma that is not between the arguments of a function, as in 3,5.
   [[noreturn]] void refuse_comma() const {
     const Token &before = tokens_[at_ - 1], &after = tokens_[at_ + 1];
     if (before.kind != Is::number || after.kind != Is::number)
-      refuse("syntax", "a comma is only allowed between the arguments of a function", now());
-    refuse("syntax", "a decimal number is written with a point: " + before.text + "." + after.text, now());
+      refuse(Mistake::syntax, "a comma is only allowed between the arguments of a function");
+    refuse(Mistake::syntax, "a decimal number is written with a point: " + before.text + "." + after.text);
   }
 
   Tree name() {
@@ -211,9 +213,9 @@ class Parser {
     const bool is_symbol = token.text == "pi" || symbols_.find(token.text) != nullptr;
     if (is_symbol) return make_tree(Kind::symbol, token.text, {}, {}, token.position);
     if (is_function(token.text)) return call(token);
-    if (now().is("(") || (now().starts_operand() && is_function_elsewhere(token.text)))
-      refuse("unknown_function", unknown_function(token.text, quoted(token)), token);
-    refuse("unknown_symbol", unknown_symbol(token.text, quoted(token), symbols_), token);
+    if (now().is("(") || (now().starts_operand() && !function_elsewhere(token.text).empty()))
+      refuse(Mistake::unknown_function, unknown_function(token.text, quoted(token)), token);
+    refuse(Mistake::unknown_symbol, unknown_symbol(token.text, quoted(token), symbols_), token);
   }
 
   Tree call(const Token& function) {
@@ -223,7 +225,7 @@ class Parser {
     const bool is_power = function.text == "pow";
     const std::string wanted = is_power ? "' takes 2 arguments, not " : "' takes 1 argument, not ";
     if (arguments.size() != (is_power ? 2 : 1))
-      refuse("arguments", "'" + function.text + wanted + std::to_string(arguments.size()), function);
+      refuse(Mistake::arguments, "'" + function.text + wanted + std::to_string(arguments.size()), function);
     Tree value = make_tree(is_power ? Kind::power : Kind::call,
                            is_power ? "" : std::string(find_function(function.text)->name), arguments, {},
                            function.position);
@@ -235,10 +237,10 @@ class Parser {
     const bool is_raised = now().kind == Is::superscript;
     if (!is_raised && !now().is("^")) return nullptr;
     if (is_raised ? now().text[0] == '-' : tokens_[at_ + 1].is("-"))
-      refuse("syntax", "this may mean 1/" + function.text + "(x) or a" + function.text + "(x): write which",
-             now());
+      refuse(Mistake::syntax,
+             "this may mean 1/" + function.text + "(x) or a" + function.text + "(x): write which");
     if (is_raised) return superscript();
-    note("syntax", "an exponent comes after the argument", function);
+    note(Mistake::syntax, "an exponent comes after the argument", function);
     take();
     return primary();
   }
@@ -255,8 +257,9 @@ class Parser {
   /// Reads an argument without parentheses. In sin 2x cos y it ends before the next function.
   std::vector<Tree> bare_argument(const Token& function, bool is_raised) {
     if (!now().starts_operand())
-      refuse("syntax", "a function needs its argument: write " + function.text + "(x)", function);
-    note(is_raised ? "syntax" : "implicit_multiplication", "a function needs parentheses", function);
+      refuse(Mistake::syntax, "a function needs its argument: write " + function.text + "(x)", function);
+    note(is_raised ? Mistake::syntax : Mistake::implicit_multiplication, "a function needs parentheses",
+         function);
     go_down();
     const Tree argument = back_up(operands(false));
     const auto is_name_or_number = [](const Tree& part) { return part->children.empty(); };
@@ -287,7 +290,7 @@ Relation parse_statement(std::string_view text, const Symbols& symbols, const Li
 Relation parse_relation(std::string_view text, const Symbols& symbols, const Limits& limits) {
   Relation relation = parse_statement(text, symbols, limits);
   if (!relation.operators.empty()) return relation;
-  throw SyntaxError("relation", text.size(), "a relation is expected here: a = b, a < b …");
+  throw SyntaxError(Mistake::relation, text.size(), "a relation is expected here: a = b, a < b …");
 }
 
 Tree parse(std::string_view text, const Symbols& symbols, const Limits& limits) {

@@ -8,9 +8,9 @@
 namespace rederive::language {
 
 /// Returns the tree of an expression. Throws SyntaxError: for a name that `symbols` lacks, with the nearest
-/// known one; "relation" if the text is a relation.
+/// known one; Mistake::relation if the text is a relation.
 Tree parse(std::string_view text, const Symbols& symbols, const Limits& limits = {});
-/// Returns a relation, or a chain ("K = a = b"). Throws SyntaxError; "relation" if the text is an expression.
+/// Returns a relation, or a chain ("K = a = b"). Throws SyntaxError, also for an expression.
 Relation parse_relation(std::string_view text, const Symbols& symbols, const Limits& limits = {});
 /// Returns either; an expression becomes a Relation with one side and no operator. Throws SyntaxError.
 Relation parse_statement(std::string_view text, const Symbols& symbols, const Limits& limits = {});

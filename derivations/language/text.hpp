@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cctype>
 #include <cstddef>
-#include <iterator>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -38,8 +37,7 @@ inline CodePoint first_character(std::string_view text) {
 inline bool is_invisible(char32_t code) {
   constexpr char32_t ranges[][2] = {{0xAD, 0xAD},     {0x200B, 0x200F}, {0x2028, 0x202E},  {0x2060, 0x206F},
                                     {0xFEFF, 0xFEFF}, {0xFFF0, 0xFFFB}, {0xE0000, 0xE0FFF}};
-  return std::any_of(std::begin(ranges), std::end(ranges),
-                     [&](const auto& range) { return code >= range[0] && code <= range[1]; });
+  return std::ranges::any_of(ranges, [&](const auto& range) { return code >= range[0] && code <= range[1]; });
 }
 
 /// Returns whether this moves the cursor or changes colours; the end of a line does.

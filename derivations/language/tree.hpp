@@ -46,8 +46,7 @@ inline Tree make_tree(Node::Kind kind, std::string text, std::vector<Tree> child
 /// Returns whether two trees have the same form; their positions do not matter.
 inline bool is_same(const Tree& a, const Tree& b) {
   return a == b || (a->kind == b->kind && a->text == b->text && a->inverse == b->inverse &&
-                    std::equal(a->children.begin(), a->children.end(), b->children.begin(), b->children.end(),
-                               is_same));
+                    std::ranges::equal(a->children, b->children, is_same));
 }
 
 /// Returns the tree with `value` in place of every part that has the same form as `part`.
@@ -95,14 +94,21 @@ struct Limits {
   long exponent = 64;       ///< the largest integer exponent
 };
 
-/// A text that could not be read: a stable word, the place, the reason, and what would be right.
+/// Why a text cannot be read. From `symbol_not_given` on, only readers of answers to exercises find these.
+// clang-format off
+enum class Mistake {
+  syntax, character, empty, unknown_symbol, unknown_function, arguments, implicit_multiplication, relation,
+  too_long, too_deep, too_large, undefined, symbol_not_given, expression_wanted, equation_wanted,
+  one_relation_wanted, value_wanted, number_wanted, not_real, unit, unit_not_wanted, unknown_unit,
+  ambiguous_unit, decimal_comma, assumption
+};
+// clang-format on
+
+/// A text that could not be read: the mistake and its place; what() says why and what would be right.
 struct SyntaxError : std::runtime_error {
-  /// `message` is a sentence; what() returns it.
-  SyntaxError(std::string word, std::size_t where, const std::string& message)
-      : std::runtime_error(message), note(std::move(word)), position(where) {}
-  /// "syntax", "character", "empty", "unknown_symbol", "unknown_function", "arguments",
-  /// "implicit_multiplication", "relation", "too_long", "too_deep", "too_large", "undefined"
-  std::string note;
+  SyntaxError(Mistake kind, std::size_t where, const std::string& message)
+      : std::runtime_error(message), mistake(kind), position(where) {}
+  Mistake mistake;
   std::size_t position;  ///< byte offset in the text
 };
 

@@ -44,9 +44,8 @@ Interval operator+(const Interval& x, const Interval& y);
 Interval operator-(const Interval& x);
 Interval operator-(const Interval& x, const Interval& y);
 Interval operator*(const Interval& x, const Interval& y);
-Interval reciprocal(const Interval& x);  ///< of the numbers that are not 0
-Interval power(const Interval& x,
-               const cln::cl_RA& exponent);  ///< of a fraction: of the non-negative numbers
+Interval reciprocal(const Interval& x);                         ///< of the numbers that are not 0
+Interval power(const Interval& x, const cln::cl_RA& exponent);  ///< of a fraction: where x >= 0
 /// Returns the values of a function of our syntax. Throws std::out_of_range for an unknown function.
 Interval call(const std::string& function, const Interval& x);
 

@@ -60,7 +60,7 @@ void put_end(Symbols& symbols, const Relation& link) {
   const bool is_closed = link.operators[0].size() == 2, is_upper = link.operators[0][0] == '<';
   (is_upper ? range.upper : range.lower) = print(link.sides[1]);
   (is_upper ? range.upper_closed : range.lower_closed) = is_closed;
-  symbols.narrow(name, in_brackets(range));
+  symbols.narrow(name, range);
 }
 
 /// What a derivation assumes: the relations before : or ;, separated by commas. Words alone say nothing here.

@@ -45,7 +45,7 @@ void settle_range(const std::string& name, Symbols& symbols, std::vector<Relatio
     conditions.push_back({{make_tree(Node::Kind::symbol, name), tree}, {is_closed ? sign + "=" : sign}});
     end = number_beyond(tree, is_upper, symbols);
   }
-  symbols.narrow(name, in_brackets(range));
+  symbols.narrow(name, range);
 }
 
 void check_range(const std::string& range) {

@@ -190,7 +190,7 @@ std::vector<Relation> conditions_used(Question q, const ProveRequest& request, c
     const std::string range = q.symbols.find(name)->range;
     if (range == all_numbers) continue;
     Question other = q;
-    other.symbols.narrow(name, all_numbers);
+    other.symbols.narrow(name, {"-inf", "inf"});
     if (holds_too(other, tried)) {
       q = std::move(other);
       continue;
@@ -233,6 +233,18 @@ Proof decide(const Paper& paper, const ProveRequest& request) {
   for (const Relation& condition : conditions_used(question, request, proof))
     if (!has_condition(proof, condition)) proof.side_conditions.push_back(condition);
   return proof;
+}
+
+std::string word_of(Mistake mistake) {
+  // clang-format off
+  constexpr const char* words[] = {
+    "syntax", "character", "empty", "unknown_symbol", "unknown_function", "arguments",
+    "implicit_multiplication", "relation", "too_long", "too_deep", "too_large", "undefined",
+    "symbol_not_given", "expression_wanted", "equation_wanted", "one_relation_wanted", "value_wanted",
+    "number_wanted", "not_real", "unit", "unit_not_wanted", "unknown_unit", "ambiguous_unit",
+    "decimal_comma", "assumption"};
+  // clang-format on
+  return words[static_cast<int>(mistake)];
 }
 
 std::string explain(const SyntaxError& error, std::string_view text) {

@@ -33,6 +33,9 @@ decide::Problem problem_of(const Paper& paper, const ProveRequest& request);
 /// that contradict each other.
 decide::Proof decide(const Paper& paper, const ProveRequest& request);
 
+/// The stable word under which a mistake is tallied: "unknown_symbol".
+std::string word_of(language::Mistake mistake);
+
 /// The message, the line and a caret under the character at fault: three lines for a terminal. A long line is
 /// shown around that character.
 std::string explain(const language::SyntaxError& error, std::string_view text);

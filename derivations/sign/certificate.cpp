@@ -100,22 +100,18 @@ void add_range(const Ring& ring, int k, std::vector<Fact>& facts) {
   add(g.range.low, 1), add(g.range.high, -1);
 }
 
-std::set<int> variables_of(const Polynomial& p) {
-  const auto used = p.used();
-  return {used.begin(), used.end()};
-}
-
 /// Returns the facts that share generators with the claim, directly or through others, and their ranges.
 std::vector<Fact> relevant(const Ring& ring, const std::vector<Fact>& negated) {
   std::set<int> reached;
   std::vector<Fact> result = negated, others = ring.facts;
-  for (const Fact& f : negated) reached.merge(variables_of(f.value));
+  for (const Fact& f : negated)
+    for (const int k : f.value.used()) reached.insert(k);
   const auto is_reached = [&](const Fact& f) {
-    std::set<int> used = variables_of(f.value);
+    const auto used = f.value.used();
     const bool shares =
         reached.empty() || std::ranges::any_of(used, [&](int k) { return reached.contains(k); });
     if (!shares || result.size() >= most_facts) return false;
-    result.push_back(f), reached.merge(used);
+    result.push_back(f), reached.insert(used.begin(), used.end());
     return true;
   };
   while (std::erase_if(others, is_reached) > 0) continue;
@@ -148,7 +144,8 @@ std::vector<Column> columns_of(const Ring& ring, const std::vector<Fact>& facts)
       columns.push_back({std::move(factors), p, signs, value.denominator.constant()});
   };
   std::set<int> variables;
-  for (const Fact& f : facts) variables.merge(variables_of(f.value));
+  for (const Fact& f : facts)
+    for (const int k : f.value.used()) variables.insert(k);
   for (const Fact& f : facts) add({f.value}, f.signs);
   for (const Fact& f : facts)
     if (f.signs == Signs::zero())

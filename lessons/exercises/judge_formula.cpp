@@ -31,7 +31,7 @@ void check_symbols(const Exercise& exercise, const Relation& read) {
     if (may_use(exercise, name)) continue;
     for (const auto& side : read.sides)
       if (const auto position = position_of(side, name))
-        throw SyntaxError("symbol_not_given", *position,
+        throw SyntaxError(Mistake::symbol_not_given, *position,
                           fmt::format("'{}' is not among the symbols of this exercise: {}{}", name,
                                       fmt::join(exercise.symbols, ", "),
                                       name == "e" ? "; the exponential function is exp(x)" : ""));
@@ -47,9 +47,10 @@ void refuse_unit(const Exercise& exercise, const std::string& text) {
     const auto names = names_of(parse(text.substr(blank + 1), exercise.language()));
     if (!names.empty() && may_use(exercise, *names.begin())) return;
   } catch (const SyntaxError& error) {
-    if (error.note != "unknown_symbol") return;
+    if (error.mistake != Mistake::unknown_symbol) return;
   }
-  throw SyntaxError("unit_not_wanted", blank + 1, "write no unit here: the symbols have their units already");
+  throw SyntaxError(Mistake::unit_not_wanted, blank + 1,
+                    "write no unit here: the symbols have their units already");
 }
 
 /// Returns the expression that was typed, alone or after its name.
@@ -60,7 +61,7 @@ Relation expression_in(const Exercise& exercise, const Relation& read, bool is_n
   }
   if (!read.operators.empty())
     throw SyntaxError(
-        "expression_wanted", 0,
+        Mistake::expression_wanted, 0,
         "an expression is expected here, " +
             (exercise.name.empty() ? "without a relation sign" : "alone or after " + exercise.name + " ="));
   return read;
@@ -71,11 +72,11 @@ Relation equation_in(const Exercise& exercise, const Relation& read, std::size_t
   if (read.operators.empty() && !exercise.name.empty())
     return {{parse(exercise.name, exercise.language()), read.sides[0]}, {"="}};
   if (read.operators.empty())
-    throw SyntaxError("equation_wanted", size, "an equation is expected here: left side = right side");
+    throw SyntaxError(Mistake::equation_wanted, size, "an equation is expected here: left side = right side");
   if (read.operators.size() > 1)
-    throw SyntaxError("one_relation_wanted", 0, "one relation is expected here, not a chain");
+    throw SyntaxError(Mistake::one_relation_wanted, 0, "one relation is expected here, not a chain");
   if (read.operators[0] != "=")
-    throw SyntaxError("equation_wanted", 0, "an equation is expected here, with =, not an inequality");
+    throw SyntaxError(Mistake::equation_wanted, 0, "an equation is expected here, with =, not an inequality");
   return read;
 }
 
@@ -90,7 +91,7 @@ bool is_asked_for(const Exercise& exercise, const Tree& left) {
 void check_relation(const Exercise& exercise, const std::string& relation) {
   if (relation != "=" && (exercise.bound.empty() || !exercise.bound.starts_with(relation)))
     throw SyntaxError(
-        "value_wanted", 0,
+        Mistake::value_wanted, 0,
         fmt::format("'{}' is not what is asked for: write {} = and a value", relation, exercise.name));
 }
 

@@ -54,7 +54,7 @@ Opinion invalid(const Note& note, const std::string& feedback) {
 }
 
 Opinion invalid(const SyntaxError& error, const std::string& text) {
-  Opinion opinion = invalid(error.note, explain(error, text));
+  Opinion opinion = invalid(word_of(error.mistake), explain(error, text));
   opinion.shows_place = true;
   return opinion;
 }

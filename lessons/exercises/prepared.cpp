@@ -62,15 +62,15 @@ bool narrow(Symbols& symbols, const Relation& relation) {
     const std::string& sign = relation.operators[0];
     if (!is_symbol(name) || !names_of(end).empty() || sign == "=") continue;
     const bool is_lower = is_first == sign.starts_with('>');
-    const std::string brackets = sign.ends_with('=') ? "[]" : "()", before = symbols.find(name->text)->range;
-    const std::string fresh = is_lower ? brackets[0] + print(end) : print(end) + brackets[1];
-    const Interval old = parse_range(before),
-                   given = parse_range(is_lower ? fresh + ", inf)" : "(-inf, " + fresh);
-    const bool is_tighter = is_lower ? compare(given.low, old.low) > 0 : compare(given.high, old.high) < 0;
-    const std::size_t comma = before.find(',');
-    if (is_tighter)
-      symbols.narrow(name->text,
-                     is_lower ? fresh + before.substr(comma) : before.substr(0, comma) + ", " + fresh);
+    Range range = read_range(symbols.find(name->text)->range);
+    (is_lower ? range.lower : range.upper) = print(end);
+    (is_lower ? range.lower_closed : range.upper_closed) = sign.ends_with('=');
+    Symbols narrowed = symbols;
+    narrowed.narrow(name->text, range);
+    const Interval old = parse_range(symbols.find(name->text)->range),
+                   given = parse_range(narrowed.find(name->text)->range);
+    if (is_lower ? compare(given.low, old.low) > 0 : compare(given.high, old.high) < 0)
+      symbols = std::move(narrowed);
     return true;
   }
   return false;

@@ -60,10 +60,10 @@ const Symbols& no_symbols() {
 double as_number(const Tree& tree) {
   const Value value = value_at(tree, {}, 256);
   if (value.is != Value::Is::certain)
-    throw SyntaxError("not_real", 0, "this has no value, or its value is too large");
+    throw SyntaxError(Mistake::not_real, 0, "this has no value, or its value is too large");
   const auto largest = cln::rational(cln::cl_DF(std::numeric_limits<double>::max()));
   const cln::cl_RA number = value.ball().lower();
-  if (cln::abs(number) > largest) throw SyntaxError("not_real", 0, "this number is too large");
+  if (cln::abs(number) > largest) throw SyntaxError(Mistake::not_real, 0, "this number is too large");
   return cln::double_approx(number);
 }
 
@@ -198,7 +198,7 @@ Tree with_unit_of_whole(const Tree& tree) {
   const auto measured = dimension(last->second, unit_symbols()).dimension;
   if (measured && *measured == Dimension{})  // a pure number
     throw SyntaxError(
-        "ambiguous_unit", last->second->position,
+        Mistake::ambiguous_unit, last->second->position,
         "is this the unit of the whole, as in (90 - 30) deg, or of the last term, as in 2 rad - 30 deg?");
   return product(with_child(tree, terms.size() - 1, last->first), last->second);
 }
@@ -226,7 +226,7 @@ void complain_of_unit(const std::string& text) {
   if (at == std::string::npos || at == 0 || !std::isalpha(static_cast<unsigned char>(text[at]))) return;
   if (text.find_first_of("(*", at) != std::string::npos || text.compare(at, 2, "pi") == 0) return;
   throw SyntaxError(
-      "unknown_unit", at,
+      Mistake::unknown_unit, at,
       "this is not a known unit; the units are m, cm, mm, s, ms, kg, N, J, rad, deg, g (gravity)");
 }
 
@@ -237,7 +237,7 @@ void refuse_comma(const std::string& text) {
   std::string meant = text;
   const bool is_plain = text.find('.') == std::string::npos && text.find(',', comma + 1) == std::string::npos;
   throw SyntaxError(
-      "decimal_comma", comma,
+      Mistake::decimal_comma, comma,
       "write decimal fractions with a point" + (is_plain ? ": " + meant.replace(comma, 1, ".") : ""));
 }
 
@@ -250,10 +250,10 @@ Quantity quantity_of(const Tree& typed) {
   const Tree tree = with_unit_of_whole(typed);
   if (!has_unit(tree))
     return {.value = base_value(tree), .dimension = {}, .read_as = echo(tree), .digits = digits_of(tree)};
-  if (!has_number(tree)) throw SyntaxError("number_wanted", 0, "a number is expected before the unit");
+  if (!has_number(tree)) throw SyntaxError(Mistake::number_wanted, 0, "a number is expected before the unit");
   const DimensionReport report = dimension(tree, unit_symbols());
   if (!report.consistent)
-    throw SyntaxError("unit", 0, "the units do not fit together: " + report.explanation);
+    throw SyntaxError(Mistake::unit, 0, "the units do not fit together: " + report.explanation);
   const auto parts = number_and_unit(tree);
   return {.value = base_value(tree),
           .dimension = report.dimension,
@@ -280,9 +280,10 @@ Quantity parse_quantity(const std::string& text) {
   try {
     return quantity_of(parse(typed.text(), unit_symbols()));
   } catch (const SyntaxError& error) {
-    if (error.note == "unknown_symbol") complain_of_unit(text);
-    const bool is_product = error.note == "implicit_multiplication";  // what the parser would write has units
-    throw SyntaxError(error.note, error.position == 0 ? 0 : typed.place(error.position),
+    if (error.mistake == Mistake::unknown_symbol) complain_of_unit(text);
+    const bool is_product =
+        error.mistake == Mistake::implicit_multiplication;  // what the parser would write has units
+    throw SyntaxError(error.mistake, error.position == 0 ? 0 : typed.place(error.position),
                       is_product ? "a product needs its '*'" : error.what());
   }
 }

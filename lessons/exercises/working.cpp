@@ -36,7 +36,7 @@ std::string without_brackets(std::string text, const Symbols& symbols, Step& ste
   const std::size_t from = text.find('[');
   if (from == std::string::npos) return text;
   if (text.back() != ']')
-    throw SyntaxError("syntax", from, "an assumption must end with ], at the end of the line");
+    throw SyntaxError(Mistake::syntax, from, "an assumption must end with ], at the end of the line");
   constexpr std::string_view small = "small ";
   const std::size_t first = text.find_first_not_of(' ', from + 1);
   const bool is_small = text.compare(first, small.size(), small) == 0;
@@ -45,7 +45,7 @@ std::string without_brackets(std::string text, const Symbols& symbols, Step& ste
     const std::size_t end = text.find_first_of(",]", at);
     const Relation part = parse_statement(std::string(at, ' ') + text.substr(at, end - at), symbols);
     if (part.operators.empty() != is_small || (is_small && part.sides[0]->kind != Node::Kind::symbol))
-      throw SyntaxError("assumption", at,
+      throw SyntaxError(Mistake::assumption, at,
                         "an assumption must be a relation, [theta > 0], or [small theta, alpha]");
     if (is_small)
       step.small.push_back(part.sides[0]->text);
@@ -61,11 +61,11 @@ void read_line(const Exercise& exercise, int number, const std::string& typed, s
   std::string text = without_brackets(typed, exercise.language(), step);
   const bool goes_on = text[0] == '=';
   if (goes_on) text[0] = ' ';
-  if (goes_on && steps.empty()) throw SyntaxError("syntax", 0, "the first line must not begin with =");
+  if (goes_on && steps.empty()) throw SyntaxError(Mistake::syntax, 0, "the first line must not begin with =");
   Relation read = parse_statement(text, exercise.language());
   for (const auto& op : read.operators)
     if (op != "=")
-      throw SyntaxError("equation_wanted", 0, "the lines of a working must use =, not inequalities");
+      throw SyntaxError(Mistake::equation_wanted, 0, "the lines of a working must use =, not inequalities");
   const bool is_equation = exercise.kind == Kind::equation || names_of(read).contains(exercise.name) ||
                            (read.sides.size() > 1 && is_asked_for(exercise, read.sides[0]));
   Tree left;
@@ -74,7 +74,7 @@ void read_line(const Exercise& exercise, int number, const std::string& typed, s
     if (read.sides.size() == 1 && exercise.kind == Kind::equation && !exercise.name.empty())
       read.sides.insert(read.sides.begin(), parse(exercise.name, exercise.language()));
     if (read.sides.size() == 1)
-      throw SyntaxError("equation_wanted", 0, "an equation is expected: left = right");
+      throw SyntaxError(Mistake::equation_wanted, 0, "an equation is expected: left = right");
     left = read.sides[0];
     read.sides.erase(read.sides.begin());
   }
@@ -165,7 +165,8 @@ Opinion judge_chain(const std::string& text, RoughPoint& known, const Symbols& s
     if (is_new) unknown = print(parse(text.substr(0, end), symbols));
     if (is_new) continue;
     if (!std::isfinite(value))
-      throw SyntaxError("not_real", from, "this has no value, or it contains a symbol without a value");
+      throw SyntaxError(Mistake::not_real, from,
+                        "this has no value, or it contains a symbol without a value");
     if (!unknown.empty()) known[std::exchange(unknown, "")] = value;
     if (before && !(std::abs(value - *before) <= 0.006 * std::abs(*before)))
       return wrong_answer(

@@ -28,7 +28,7 @@ std::optional<SyntaxError> error_in(const Text& text, const Limits& limits = {})
 /// Returns "note@position message"; "" if there is no error.
 Text error_of(const Text& text, const Limits& limits = {}) {
   const auto error = error_in(text, limits);
-  return error ? error->note + "@" + std::to_string(error->position) + " " + error->what() : "";
+  return error ? word_of(error->mistake) + "@" + std::to_string(error->position) + " " + error->what() : "";
 }
 
 Text repeated(const Text& text, std::size_t times) {
