@@ -45,10 +45,10 @@ const std::map<std::string, std::string> other_function{
 
 struct Walk {
   const Paper& paper;
-  std::function<void(const Tree&, std::string, std::string)> emit;  ///< new side, slip, what
+  std::function<void(const Tree&, Edit, std::string)> emit;  ///< new side, slip, what
 
   void visit(const Tree& node, const Rebuild& rebuild) {
-    const auto put = [&](const Tree& tree, const char* slip, const std::string& what) {
+    const auto put = [&](const Tree& tree, Edit slip, const std::string& what) {
       emit(rebuild(tree), slip, what);
     };
     switch (node->kind) {
@@ -59,21 +59,21 @@ struct Walk {
         symbol(*node, put);
         break;
       case Kind::negative:
-        put(node->children[0], "sign", "a leading minus");
+        put(node->children[0], Edit::sign, "a leading minus");
         break;
       case Kind::sum:
         sum(node, put);
         break;
       case Kind::product:
         for (std::size_t k = 0; k < node->children.size(); ++k)
-          put(without(node, k), "factor", "the factor " + print(node->children[k]));
+          put(without(node, k), Edit::factor, "the factor " + print(node->children[k]));
         break;
       case Kind::power:
         power(node, put);
         break;
       case Kind::call:
         if (const auto other = other_function.find(node->text); other != other_function.end())
-          put(make_tree(Kind::call, other->second, node->children), "function",
+          put(make_tree(Kind::call, other->second, node->children), Edit::function,
               other->second + " for " + node->text);
         break;
     }
@@ -88,7 +88,7 @@ struct Walk {
     if (value == 0) return;
     for (const long other : {value + 1, 2 * value})
       if (other != value)
-        put(make_tree(Kind::number, std::to_string(other)), "coefficient",
+        put(make_tree(Kind::number, std::to_string(other)), Edit::coefficient,
             node.text + " read as " + std::to_string(other));
   }
   template <class Put>
@@ -99,11 +99,11 @@ struct Walk {
         const std::string less =
             name.substr(0, name.size() - std::string(dots).size()) + (dots[1] == 'd' ? "dot" : "");
         if (paper.symbols.find(less) != nullptr)
-          put(make_tree(Kind::symbol, less), "dot", "a lost dot of " + name);
+          put(make_tree(Kind::symbol, less), Edit::dot, "a lost dot of " + name);
         break;
       }
     if (const auto other = paper.look_alikes.find(name); other != paper.look_alikes.end())
-      put(make_tree(Kind::symbol, other->second), "symbol", other->second + " for " + name);
+      put(make_tree(Kind::symbol, other->second), Edit::symbol, other->second + " for " + name);
   }
   template <class Put>
   void sum(const Tree& node, const Put& put) {
@@ -113,14 +113,14 @@ struct Walk {
         flipped.children[0] = make_tree(Kind::negative, "", {node->children[0]});
       else
         flipped.inverse[k] = !flipped.inverse[k];
-      put(std::make_shared<const Node>(std::move(flipped)), "sign",
+      put(std::make_shared<const Node>(std::move(flipped)), Edit::sign,
           "the sign of term " + std::to_string(k + 1));
-      put(without(node, k), "term", "term " + std::to_string(k + 1));
+      put(without(node, k), Edit::term, "term " + std::to_string(k + 1));
     }
   }
   template <class Put>
   void power(const Tree& node, const Put& put) {
-    put(node->children[0], "square", "the power of " + print(node->children[0]));
+    put(node->children[0], Edit::square, "the power of " + print(node->children[0]));
   }
 };
 
@@ -134,26 +134,25 @@ std::string turned(const std::string& op) {
 std::vector<Mutant> mutants(const Relation& printed, const Paper& paper) {
   std::vector<Mutant> result;
   std::set<std::string> seen{print(printed)};
-  const auto add = [&](Relation relation, std::string slip, std::string what) {
-    if (seen.insert(print(relation)).second)
-      result.push_back({std::move(relation), std::move(slip), std::move(what)});
+  const auto add = [&](Relation relation, Edit slip, std::string what) {
+    if (seen.insert(print(relation)).second) result.push_back({std::move(relation), slip, std::move(what)});
   };
   for (std::size_t side = 0; side < printed.sides.size(); ++side) {
-    Walk walk{paper, [&](const Tree& tree, std::string slip, std::string what) {
+    Walk walk{paper, [&](const Tree& tree, Edit slip, std::string what) {
                 Relation mutant = printed;
                 mutant.sides[side] = tree;
-                add(std::move(mutant), std::move(slip), std::move(what));
+                add(std::move(mutant), slip, std::move(what));
               }};
     walk.visit(printed.sides[side], [](const Tree& tree) { return tree; });
     const Kind kind = printed.sides[side]->kind;
     if (side > 0 && kind != Kind::sum && kind != Kind::negative)
-      walk.emit(make_tree(Kind::negative, "", {printed.sides[side]}), "sign", "the sign of the whole");
+      walk.emit(make_tree(Kind::negative, "", {printed.sides[side]}), Edit::sign, "the sign of the whole");
   }
   for (std::size_t k = 0; k < printed.operators.size(); ++k)
     if (turned(printed.operators[k]) != printed.operators[k]) {
       Relation mutant = printed;
       mutant.operators[k] = turned(mutant.operators[k]);
-      add(std::move(mutant), "operator", "the inequality turned round");
+      add(std::move(mutant), Edit::relation_sign, "the inequality turned round");
     }
   return result;
 }

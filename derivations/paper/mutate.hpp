@@ -5,11 +5,13 @@
 
 namespace rederive::paper {
 
+/// What is changed in a relation, or lost: a `square` is any power.
+enum class Edit { sign, coefficient, function, square, factor, term, symbol, dot, relation_sign };
+
 /// A relation with one slip in it.
 struct Mutant {
   language::Relation relation;
-  /// A stable word: sign, coefficient, function, square, factor, term, symbol, dot, operator.
-  std::string slip;
+  Edit slip;
   std::string what;  ///< "the sign of term 2"
 };
 

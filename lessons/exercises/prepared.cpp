@@ -127,10 +127,11 @@ void add_listed_numbers(Prepared& prepared) {
 
 /// Returns the slip of a pen that a mutant of a formula shows.
 Slip slip_of(const Mutant& mutant) {
-  static const std::map<std::string, Slip> slips{
-      {"sign", Slip::sign},           {"coefficient", Slip::factor}, {"function", Slip::sin_cos},
-      {"symbol", Slip::wrong_symbol}, {"square", Slip::power},       {"factor", Slip::missing_factor},
-      {"term", Slip::missing_term},   {"dot", Slip::missing_dot}};
+  static const std::map<Edit, Slip> slips{
+      {Edit::sign, Slip::sign},         {Edit::coefficient, Slip::factor},
+      {Edit::function, Slip::sin_cos},  {Edit::symbol, Slip::wrong_symbol},
+      {Edit::square, Slip::power},      {Edit::factor, Slip::missing_factor},
+      {Edit::term, Slip::missing_term}, {Edit::dot, Slip::missing_dot}};
   return slips.at(mutant.slip);
 }
 
