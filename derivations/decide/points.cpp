@@ -37,6 +37,8 @@ void collect_landmarks(const Tree& tree, std::vector<cl_RA>& landmarks) {
 }
 
 namespace {
+constexpr int special_from = 10, all_from = 220;  ///< where the sequence of points changes
+
 /// Values of a symbol: small numbers first, and ends and multiples of pi, which are easily overlooked.
 struct Candidates {
   std::vector<cl_RA> plain;
@@ -52,11 +54,14 @@ std::vector<cl_RA> beside(const cl_RA& number) {
   return result;
 }
 
-Candidates candidates(const Interval& range, const std::vector<cl_RA>& landmarks) {
+/// Returns those that the first `points` points need.
+Candidates candidates(const Interval& range, const std::vector<cl_RA>& landmarks, int points) {
   Candidates result;
+  const std::size_t most = points < all_from ? 4 + points : SIZE_MAX;
   const auto add = [&](const cl_RA& value) {
     auto& list = result.plain;
-    if (range.contains({value}) && std::ranges::find(list, value) == list.end()) list.push_back(value);
+    if (list.size() < most && range.contains({value}) && std::ranges::find(list, value) == list.end())
+      list.push_back(value);
   };
   static const std::vector<cl_RA> small = {"1",   "1/2",  "2",   "3/2",    "1/3", "-1",    "3",     "-1/2",
                                            "2/3", "-2",   "1/4", "5/2",    "3/4", "-1/3",  "5",     "-3/2",
@@ -80,8 +85,9 @@ Candidates candidates(const Interval& range, const std::vector<cl_RA>& landmarks
     if (end->infinite == 0) special.push_back(*end);
   static const cl_RA turns[] = {"1/2", "1", "1/6", "1/4", "1/3", "-1/2", "2/3", "-1/6", "3/2", "-1/4", "2"};
   for (const cl_RA& q : turns) special.push_back({0, q});
-  std::ranges::copy_if(special, std::back_inserter(result.special),
-                       [&](const Constant& c) { return range.contains(c); });
+  const std::size_t most_special = points < special_from && !result.plain.empty() ? 1 : SIZE_MAX;
+  for (const Constant& c : special)
+    if (result.special.size() < most_special && range.contains(c)) result.special.push_back(c);
   return result;
 }
 
@@ -101,7 +107,7 @@ void narrow(Interval& range, const Relation& a, const std::string& name) {
 
 using Table = std::vector<std::pair<std::string, Candidates>>;
 
-Table table_of(const Problem& problem) {
+Table table_of(const Problem& problem, int points) {
   std::set<std::string> names;
   std::vector<cl_RA> landmarks;
   for (const Tree& tree : trees_of(problem)) names.merge(names_of(tree));
@@ -113,29 +119,28 @@ Table table_of(const Problem& problem) {
     if (symbol == nullptr) throw Undecidable("the symbol " + name + " is not declared");
     Interval range = parse_range(symbol->range);
     for (const Relation& a : problem.assumptions) narrow(range, a, name);
-    result.emplace_back(name, candidates(range, landmarks));
+    result.emplace_back(name, candidates(range, landmarks, points));
   }
   return result;
 }
 
-/// Returns a point of a fixed sequence. Symbol k takes its candidates in its own stride; from the tenth point
-/// on, every third point has special values, and every fourth has equal values if possible. From most_mixed
-/// on, all candidates come in turn.
+/// Returns a point of a fixed sequence. Symbol k takes its candidates in its own stride; from special_from
+/// on, every third point has special values, and every fourth has equal values if possible. From all_from on,
+/// all candidates come in turn.
 std::optional<Point> point_of(const Table& table, int index) {
-  constexpr int most_mixed = 220;
   Point point;
   int place = 0;
   for (const auto& [name, c] : table) {
     ++place;
     if (c.plain.empty() && c.special.empty()) return std::nullopt;
-    if (index >= most_mixed && !c.plain.empty()) {
-      point.emplace(name, c.plain[(index - most_mixed + 7 * (place - 1)) % c.plain.size()]);
+    if (index >= all_from && !c.plain.empty()) {
+      point.emplace(name, c.plain[(index - all_from + 7 * (place - 1)) % c.plain.size()]);
       continue;
     }
     const int mixed = index < 1 ? place - 1 : index + place * (index % 7 + 1) + index * index * place / 3;
     const bool is_alone = index / 5 % static_cast<int>(table.size()) == place - 1;
     const bool is_zero = is_alone ? index % 5 == 4 : index % 10 == 7;  // it alone, or all others
-    const bool is_special = index > 9 && index % 3 == 0 && (mixed / 2 + place) % 2 == 0;
+    const bool is_special = index >= special_from && index % 3 == 0 && (mixed / 2 + place) % 2 == 0;
     const int attempt = is_zero                         ? 0
                         : is_special || c.plain.empty() ? mixed / 3
                         : index % 4 == 3                ? index / 4
@@ -232,7 +237,7 @@ std::optional<Witness> at_solutions(const Problem& problem, const Point& point, 
 
 Search search(const Problem& problem, const Effort& effort) {
   Search result;
-  const Table table = table_of(problem);
+  const Table table = table_of(problem, effort.points);
   const int solutions = problem.left.operators.empty() ? 0 : effort.solutions;
   for (int k = 0; k < (table.empty() ? 1 : effort.points) && !result.witness; ++k) {
     const auto point = point_of(table, k);
