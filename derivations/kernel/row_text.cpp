@@ -136,8 +136,7 @@ std::string with_placeholders(const Symbols& symbols, const RelationOf& relation
 
 Relation right_form(const Paper& paper, const std::string& id) {
   const Row& row = row_of(paper, id);
-  const bool is_refuted = row.expected == to_string(Verdict::refuted);
-  return parse_statement(is_refuted ? judged(paper, id).correction : row.claim(),
+  return parse_statement(row.expected == Verdict::refuted ? judged(paper, id).correction : row.claim(),
                          symbols_in(paper, row.domain));
 }
 

@@ -21,7 +21,7 @@ namespace {
 std::string comment(const Entry& entry) {
   const Row& row = entry.row;
   std::string text = "(* (" + row.id + ")" + (row.domain.empty() ? "" : " " + row.domain) + " " +
-                     (row.kind == "result" ? "Stated: " : "Printed: ") + row.claim() +
+                     (row.kind == RowKind::result ? "Stated: " : "Printed: ") + row.claim() +
                      "\n   Verdict: " + to_string(entry.proof.verdict);
   if (entry.derivation && !entry.derivation->assumption.empty())
     text += ". Assumed: " + entry.derivation->assumption;

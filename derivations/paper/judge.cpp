@@ -23,10 +23,10 @@ Entry judge(const Paper& paper, const Row& row) {
     return entry;
   }
   if (!entry.derivation) {
-    entry.proof.verdict = row.kind == "definition" ? Verdict::definition : Verdict::undecided;
-    entry.proof.reason = row.kind == "definition"
-                             ? "introduces a name or an assumption; there is nothing to derive"
-                             : "no derivation is listed for this row";
+    const bool is_definition = row.kind == RowKind::definition;
+    entry.proof.verdict = is_definition ? Verdict::definition : Verdict::undecided;
+    entry.proof.reason = is_definition ? "introduces a name or an assumption; there is nothing to derive"
+                                       : "no derivation is listed for this row";
     return entry;
   }
   entry.derived = print(derived_relation(*entry.derivation, symbols));

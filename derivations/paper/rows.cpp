@@ -7,27 +7,39 @@
 
 namespace rederive::paper {
 using namespace language;
+using namespace decide;
 using namespace program;
 
 namespace {
 
 using Words = std::vector<std::string>;
 
+/// In the order of RowKind.
 const Words kinds{"equation", "inequality", "definition", "result"};
-const Words verdicts{"proved", "proved_under", "approximation", "refuted", "definition", "undecided"};
-/// Several are joined by "and": "sign and factor".
-const Words error_kinds{"sign",     "factor",       "argument",   "subscript",      "swapped symbols",
+/// In the order of RowError.
+const Words error_words{"sign",     "factor",       "argument",   "subscript",      "swapped symbols",
                         "symbol",   "missing_term", "extra_term", "missing_factor", "extra_factor",
                         "exponent", "reciprocal",   "function",   "relation",       "limit",
                         "domain",   "dimension",    "constant",   "missing_dot"};
 
-void check_error(const TomlTable& table, const std::string& error) {
-  constexpr std::string_view joint = " and ";
-  for (std::size_t start = 0; start < error.size();) {
-    const std::size_t end = std::min(error.find(joint, start), error.size());
-    table.check_word("error", error.substr(start, end - start), error_kinds);
+constexpr std::string_view joint = " and ";  ///< between several errors
+
+std::vector<RowError> errors_in(const TomlTable& table, const std::string& text) {
+  std::vector<RowError> errors;
+  for (std::size_t start = 0; start < text.size();) {
+    const std::size_t end = std::min(text.find(joint, start), text.size());
+    errors.push_back(table.one_of<RowError>("error", text.substr(start, end - start), error_words));
     start = end + joint.size();
   }
+  return errors;
+}
+
+/// Returns the verdicts that a row may be expected to have, in the order of decide::Verdict.
+Words verdicts() {
+  Words words;
+  for (int k = 0; k <= static_cast<int>(Verdict::undecided); ++k)
+    words.push_back(to_string(static_cast<Verdict>(k)));
+  return words;
 }
 
 Row read_row(TomlTable& table) {
@@ -35,20 +47,20 @@ Row read_row(TomlTable& table) {
   row.id = table.needed_line("id");
   if (!row.id.empty()) table.call_it("row " + row.id);
   row.section = table.text("section");
-  row.kind = table.needed_word("kind", kinds);
+  row.kind = table.needed_one_of<RowKind>("kind", kinds);
   row.printed = table.text("printed");
   row.statement = table.text("statement");
   row.latex = table.text("latex");
   row.domain = table.text("domain");
-  row.expected = table.needed_word("expected", verdicts);
-  row.error = table.text("error");
+  row.expected = table.needed_one_of<Verdict>("expected", verdicts());
+  const std::string error = table.text("error");
   row.consequence = table.text("consequence");
   row.note = table.text("note");
   row.scan_repaired = table.text("scan_repaired");
   row.follows_from = table.texts("follows_from");
   table.done();
-  check_error(table, row.error);
-  if ((row.kind == "result") != !row.statement.empty())
+  row.errors = errors_in(table, error);
+  if ((row.kind == RowKind::result) != !row.statement.empty())
     table.fail("a row of kind 'result', and no other, has a 'statement' of ours", "statement");
   return row;
 }
@@ -140,6 +152,15 @@ void set_dependents(std::vector<Row>& rows) {
 }
 
 }  // namespace
+
+std::string to_string(RowKind kind) { return kinds[static_cast<std::size_t>(kind)]; }
+
+std::string in_words(const std::vector<RowError>& errors) {
+  std::string words;
+  for (const RowError error : errors)
+    words.append(words.empty() ? "" : joint).append(error_words[static_cast<std::size_t>(error)]);
+  return words;
+}
 
 std::vector<Row> read_rows(const std::filesystem::path& file) {
   std::vector<Row> rows;

@@ -1,26 +1,43 @@
 // What a paper prints, as equations.toml says it.
 #pragma once
 
+#include <derivations/decide/proof.hpp>
 #include <filesystem>
 #include <string>
 #include <vector>
 
 namespace rederive::paper {
 
+/// A `result` is stated by us; the paper prints the others.
+enum class RowKind { equation, inequality, definition, result };
+/// Returns "equation", "inequality" …
+std::string to_string(RowKind kind);
+
+/// What is wrong with a refuted row.
+// clang-format off
+enum class RowError {
+  sign, factor, argument, subscript, swapped_symbols, symbol, missing_term, extra_term, missing_factor,
+  extra_factor, exponent, reciprocal, function, relation, limit, domain, dimension, constant, missing_dot
+};
+// clang-format on
+/// Returns "sign", "sign and factor" …; "" if there is none.
+std::string in_words(const std::vector<RowError>& errors);
+
 /// One row of equations.toml: what is printed, and what we expect to find. No answer is stored.
 struct Row {
-  std::string id, section, kind, printed, latex, domain;
+  std::string id, section, printed, latex, domain;
+  RowKind kind = RowKind::equation;
   std::string
       statement;  ///< a result of ours, in the form in which we state it; the paper prints nothing like it
   /// What is compared with the derivation: what is printed, or what we state.
-  const std::string& claim() const { return kind == "result" ? statement : printed; }
+  const std::string& claim() const { return kind == RowKind::result ? statement : printed; }
   std::vector<std::string> follows_from;
   std::vector<std::string> rests_on_it;  ///< ids of the rows that follow from it, directly or through others
-  std::string expected;                  ///< a verdict
-  std::string error;                     ///< with refuted: sign, factor, argument …; rows.cpp lists them
-  std::string consequence;               ///< with refuted: what rests on it, and whether that is still right
-  std::string note;                      ///< anything a reader should know
-  std::string scan_repaired;             ///< what scanning damaged and how it was restored; empty if nothing
+  decide::Verdict expected = decide::Verdict::undecided;
+  std::vector<RowError> errors;  ///< with refuted
+  std::string consequence;       ///< with refuted: what rests on it, and whether that is still right
+  std::string note;              ///< anything a reader should know
+  std::string scan_repaired;     ///< what scanning damaged and how it was restored; empty if nothing
 };
 
 /// Reads equations.toml. Throws BadInput naming file, line, row and what would be right.

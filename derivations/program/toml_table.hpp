@@ -40,6 +40,13 @@ class TomlTable {
   /// Return one of the words; "" if the key is missing.
   std::string word(const std::string& key, const std::vector<std::string>& words);
   std::string needed_word(const std::string& key, const std::vector<std::string>& words);
+  /// Returns the enumerator of one of the words, which are in the order of the enum from 0 on; the first one
+  /// if the key is missing.
+  template <class Enum>
+  Enum needed_one_of(const std::string& key, const std::vector<std::string>& words) {
+    const std::string found = needed_word(key, words);
+    return found.empty() ? Enum{} : one_of<Enum>(key, found, words);
+  }
   /// Returns a list of texts, empty if the key is missing.
   std::vector<std::string> texts(const std::string& key);
   /// Returns a list of texts on one line each, without control characters.
@@ -66,6 +73,12 @@ class TomlTable {
   /// Throws if a text is not one of the known words, and suggests the nearest one.
   void check_word(const std::string& key, const std::string& text,
                   const std::vector<std::string>& words) const;
+  /// Returns the enumerator of a word, as `needed_one_of` does. Throws as `check_word` does.
+  template <class Enum>
+  Enum one_of(const std::string& key, const std::string& text, const std::vector<std::string>& words) const {
+    check_word(key, text, words);
+    return static_cast<Enum>(std::ranges::find(words, text) - words.begin());
+  }
   /// Throws BadInput at the line of `key`, or of the table if the key is empty or missing.
   [[noreturn]] void fail(const std::string& what, const std::string& key = "") const;
   /// Returns "FILE:LINE" of the table.

@@ -18,12 +18,6 @@ using Words = std::vector<std::string>;
 const Words kind_names{"expression", "equation", "number", "choice", "wrong_term"};  // in the order of Kind
 const Words side_names{"left", "right", "whole"};  // in the order of Reference::Side
 
-/// Returns the value of an enum whose names are listed in its order.
-template <class Enum>
-Enum named(const Words& names, const std::string& word) {
-  return static_cast<Enum>(std::ranges::find(names, word) - names.begin());
-}
-
 /// Reads the tables of one exercise, about the symbols of a course.
 class Reader {
  public:
@@ -136,7 +130,7 @@ class Reader {
     result.row = table.text("row");
     if (const std::string slip = table.text("slip"); !slip.empty())
       result.slip = number_in<std::size_t>(table, "slip", slip);
-    if (table.has("side")) result.side = named<Reference::Side>(side_names, table.word("side", side_names));
+    if (table.has("side")) result.side = table.needed_one_of<Reference::Side>("side", side_names);
     result.solve_for = table.text("solve_for");
     result.differentiate = table.text("differentiate");
     result.put = read_put(table);
@@ -189,7 +183,7 @@ class Reader {
   void read_texts(TomlTable& table, Exercise& exercise) const {
     exercise.lesson = static_cast<int>(table.whole("lesson", 0, 99).value_or(0));
     exercise.title = table.needed_text("title");
-    exercise.kind = named<Kind>(kind_names, table.needed_word("kind", kind_names));
+    exercise.kind = table.needed_one_of<Kind>("kind", kind_names);
     exercise.statement = table.needed_text("statement");
     exercise.symbols = table.texts("symbols");
     std::erase(exercise.symbols, "");

@@ -19,7 +19,8 @@ std::string to_string(ClaimVerdict verdict);
 
 /// One claim of claims.toml: what the paper says, in our words, and how it is decided. No answer is stored.
 struct Claim {
-  std::string id, where, statement, printed, expected, check, method;
+  std::string id, where, statement, printed, check, method;
+  ClaimVerdict expected = undecided;
   std::string place;  ///< "FILE:LINE" of the claim
   std::string found;  ///< a sentence with {} in the places of the numbers that the check finds
   std::map<ClaimVerdict, std::string>
@@ -44,7 +45,7 @@ struct JudgedClaim {
   Claim claim;
   ClaimVerdict verdict;
   std::string found, explanation;
-  bool as_expected() const { return to_string(verdict) == claim.expected; }
+  bool as_expected() const { return verdict == claim.expected; }
 };
 
 /// Decides a claim from computed numbers; the claim contributes what is printed.

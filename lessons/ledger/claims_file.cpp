@@ -35,7 +35,7 @@ Claim read_claim(TomlTable& table, const std::vector<std::string>& checks) {
   claim.printed = table.text("printed");
   std::vector<std::string> words;
   for (const ClaimVerdict verdict : claim_verdicts) words.push_back(to_string(verdict));
-  claim.expected = table.needed_word("expected", words);
+  claim.expected = table.needed_one_of<ClaimVerdict>("expected", words);
   claim.value = table.line("value");
   claim.holds = table.line("holds");
   claim.at = table.named_texts("at");

@@ -37,7 +37,7 @@ nlohmann::ordered_json claims_json(const std::vector<JudgedClaim>& judged) {
                     {"printed", claim.printed},
                     {"found", found},
                     {"explanation", explanation},
-                    {"expected", claim.expected},
+                    {"expected", to_string(claim.expected)},
                     {"method", claim.method}});
   return {{"claims", list}};
 }
@@ -49,10 +49,11 @@ namespace {
 Findings findings(const JudgedClaim& judged, bool whole) {
   const Claim& claim = judged.claim;
   const std::string verdict = to_string(judged.verdict);
-  Findings found{.headline = fmt::format("{}: {}, {}{}", claim.id, verdict, claim.where,
-                                         judged.as_expected() ? "" : "   <- expected " + claim.expected),
-                 .lines = {},
-                 .kind = "ledger " + verdict};
+  Findings found{
+      .headline = fmt::format("{}: {}, {}{}", claim.id, verdict, claim.where,
+                              judged.as_expected() ? "" : "   <- expected " + to_string(claim.expected)),
+      .lines = {},
+      .kind = "ledger " + verdict};
   const auto add = [&](const std::string& label, const std::string& words) {
     if (!words.empty()) found.lines.push_back({.label = label, .words = literal(words)});
   };

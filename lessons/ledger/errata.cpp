@@ -68,7 +68,7 @@ std::vector<Passage> sheet(const std::vector<Entry>& wrong, const Paper& paper) 
   std::vector<Passage> passages;
   for (const Entry& entry : wrong) {
     Findings found{
-        .headline = entry.row.section + (entry.row.error.empty() ? "" : ": " + entry.row.error),
+        .headline = entry.row.section + (entry.row.errors.empty() ? "" : ": " + in_words(entry.row.errors)),
         .lines = {{.label = "printed", .formula = parse_statement(entry.row.printed, paper.symbols)},
                   {.label = "corrected", .formula = parse_statement(entry.correction, paper.symbols)}},
         .kind = "ledger refuted",

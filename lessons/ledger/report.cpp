@@ -50,11 +50,11 @@ std::string ledger_table(const std::vector<Entry>& entries, const Symbols& symbo
   std::string text = fmt::format("{:<6} {:<14} {}\n", "", "verdict", "as printed");
   for (const Entry& entry : entries) {
     const std::string verdict = to_string(entry.proof.verdict);
-    const bool unexpected = verdict != entry.row.expected;
+    const bool unexpected = entry.proof.verdict != entry.row.expected;
     const std::string formula = entry.row.printed.empty() ? entry.row.statement : entry.row.printed;
     text += fmt::format(
         "{:<6} {} {}{}\n", entry.row.id, painted(fmt::format("{:<14}", verdict), entry.proof.verdict, colour),
-        unicode_or(formula, symbols), unexpected ? "   <- expected " + entry.row.expected : "");
+        unicode_or(formula, symbols), unexpected ? "   <- expected " + to_string(entry.row.expected) : "");
     if (entry.proof.verdict == Verdict::error) text += fmt::format("{:<6} {}\n", "", entry.proof.reason);
   }
   text += "\n" + counted(entries.size(), "row") + ":";
@@ -75,7 +75,7 @@ std::string ledger_page(const Entry& entry, const Symbols& symbols, bool colour)
   line("derived", unicode_or(entry.derived, symbols));
   line("verdict",
        painted(to_string(entry.proof.verdict), entry.proof.verdict, colour) +
-           (to_string(entry.proof.verdict) == row.expected ? "" : "   (expected: " + row.expected + ")"));
+           (entry.proof.verdict == row.expected ? "" : "   (expected: " + to_string(row.expected) + ")"));
   line("because", entry.proof.reason);
   if (entry.proof.factor != "1") line("factor", entry.proof.factor);
   line("side conditions",
@@ -86,7 +86,7 @@ std::string ledger_page(const Entry& entry, const Symbols& symbols, bool colour)
       line("order", fmt::format("{} in {}", entry.derivation->order, entry.derivation->small));
   }
   if (entry.proof.verdict == Verdict::refuted) {
-    line("kind of error", row.error);
+    line("kind of error", in_words(row.errors));
     line("correction", unicode_or(entry.correction, symbols));
   }
   if (entry.proof.witness) {

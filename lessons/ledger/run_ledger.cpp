@@ -63,7 +63,7 @@ const Row& row_with(const std::string& id, const Paper& paper) {
 
 int exit_code(const std::vector<Entry>& entries) {
   for (const Entry& entry : entries)
-    if (to_string(entry.proof.verdict) != entry.row.expected) return not_as_expected;
+    if (entry.proof.verdict != entry.row.expected) return not_as_expected;
   return as_expected;
 }
 

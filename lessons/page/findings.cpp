@@ -59,8 +59,8 @@ std::string condition_text(const Relation& condition) {
 
 std::string headline(const Entry& entry) {
   std::string text = fmt::format("({}): {}", entry.row.id, to_string(entry.proof.verdict));
-  if (entry.proof.verdict == Verdict::refuted && !entry.row.error.empty())
-    text += " (" + entry.row.error + ")";
+  if (entry.proof.verdict == Verdict::refuted && !entry.row.errors.empty())
+    text += " (" + in_words(entry.row.errors) + ")";
   std::replace(text.begin(), text.end(), '_', ' ');
   return text;
 }

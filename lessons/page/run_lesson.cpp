@@ -75,9 +75,9 @@ int verdicts(const Lesson& lesson, const Setting& setting, std::string& text) {
   int code = as_expected;
   for (const auto& id : setting.equations_of(lesson.number)) {
     const Entry entry = judged(setting.paper, id);
-    const bool expected = entry.row.expected == to_string(entry.proof.verdict);
+    const bool expected = entry.row.expected == entry.proof.verdict;
     if (!expected) code = not_as_expected;
-    text += headline(entry) + (expected ? "" : "   not as expected: " + entry.row.expected) + "\n";
+    text += headline(entry) + (expected ? "" : "   not as expected: " + to_string(entry.row.expected)) + "\n";
   }
   return code;
 }

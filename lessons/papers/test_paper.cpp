@@ -56,9 +56,9 @@ class Checks {
     fmt::print("rows: {}\n", rows_of(paper_).size());
     for (const Row& row : rows_of(paper_)) {
       const Entry entry = judge(paper_, row);
-      if (const std::string found = to_string(entry.proof.verdict); found != row.expected)
-        complain(fmt::format("({}) is {}, but {} is expected. {}", row.id, found, row.expected,
-                             entry.proof.reason));
+      if (entry.proof.verdict != row.expected)
+        complain(fmt::format("({}) is {}, but {} is expected. {}", row.id, to_string(entry.proof.verdict),
+                             to_string(row.expected), entry.proof.reason));
     }
   }
 
@@ -81,7 +81,7 @@ class Checks {
     for (const ledger::Claim& claim : list)
       if (const auto judged = ledger::judge(claim, all); !judged.as_expected())
         complain(fmt::format("claim {} is {}, but {} is expected: {}", claim.id, to_string(judged.verdict),
-                             claim.expected, judged.found));
+                             to_string(claim.expected), judged.found));
   }
 
   void lessons() {
@@ -212,7 +212,7 @@ class Watch {
 
  private:
   static std::string words_of(const Row& row, const Paper& paper) {
-    std::string words = row.claim() + "\n" + row.domain + "\n" + row.expected + "\n";
+    std::string words = row.claim() + "\n" + row.domain + "\n" + to_string(row.expected) + "\n";
     try {
       if (const auto derivation = derivation_of(paper, row.id))
         words += print(derived_relation(*derivation, paper.symbols)) + derivation->assumption;
@@ -224,8 +224,8 @@ class Watch {
 
   static std::string judged_line(const Paper& paper, const Row& row) {
     const Entry entry = judge(paper, row);
-    const bool is_expected = to_string(entry.proof.verdict) == row.expected;
-    return headline(entry) + (is_expected ? "" : ", but " + row.expected + " is expected") +
+    const bool is_expected = entry.proof.verdict == row.expected;
+    return headline(entry) + (is_expected ? "" : ", but " + to_string(row.expected) + " is expected") +
            (entry.proof.reason.empty() ? "" : ": " + entry.proof.reason);
   }
 

@@ -182,7 +182,7 @@ TEST_CASE("at the witness of every row of the paper that is refuted the printed 
   int looked_at = 0;
   const std::vector<Row> rows = read_rows(equations_file());
   for (const Row& row : rows) {
-    if (row.expected != "refuted") continue;
+    if (row.expected != Verdict::refuted) continue;
     INFO(row.id << "  " << row.claim());
     const Entry entry = judge(row);
     REQUIRE(entry.proof.witness);

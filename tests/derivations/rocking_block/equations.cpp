@@ -20,13 +20,25 @@ TEST_CASE("every number from (1) to (104) has a row, and each row but a definiti
     CAPTURE(row.id);
     ids.insert(row.id);
     numbers.insert(row.id.substr(0, row.id.find_first_not_of("0123456789")));
-    CHECK(paper().derivations.contains(row.id) == (row.expected != "definition"));
-    CHECK((row.expected == "refuted") == !row.error.empty());
-    CHECK((row.expected == "refuted") == !row.consequence.empty());
-    CHECK(row.expected != "undecided");
+    CHECK(paper().derivations.contains(row.id) == (row.expected != Verdict::definition));
+    CHECK((row.expected == Verdict::refuted) == !row.errors.empty());
+    CHECK((row.expected == Verdict::refuted) == !row.consequence.empty());
+    CHECK(row.expected != Verdict::undecided);
   }
   for (int n = 1; n <= 104; ++n) CHECK_MESSAGE(numbers.contains(std::to_string(n)), n);
   for (const std::string& id : paper().derivations.ids()) CHECK_MESSAGE(ids.contains(id), id);
+}
+
+TEST_CASE("a row says in words what its table says") {
+  const toml::table document = toml::parse_file(equations_file().string());
+  std::size_t place = 0;
+  for (const Row& row : read_rows(equations_file())) {
+    CAPTURE(row.id);
+    const toml::table& table = *(*document["equation"].as_array())[place++].as_table();
+    CHECK(to_string(row.kind) == table["kind"].value<std::string>());
+    CHECK(to_string(row.expected) == table["expected"].value<std::string>());
+    CHECK(in_words(row.errors) == table["error"].value_or(std::string()));
+  }
 }
 
 TEST_CASE("every derivation says how it goes and ends where it says") {
