@@ -1,4 +1,4 @@
-// Tests that want what is not there.
+// Reports tests that cannot run because a tool is missing.
 #pragma once
 
 #include <cstdio>

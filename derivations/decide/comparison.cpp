@@ -177,8 +177,8 @@ std::optional<Sameness> same_link_by_link(Comparison& setting, const std::vector
   return all;
 }
 
-/// Returns the irreducible factors of an equation that may be 0; for a root, |u|, a sine or a whole, those of
-/// its value.
+/// Returns the irreducible factors of an equation that may be 0. A root, |u|, a sine or a whole is replaced
+/// by the factors of its value.
 std::set<Polynomial> zero_set(const Ring& ring, const Fraction& value) {
   std::set<Polynomial> result;
   for (const auto& [factor, exponent] : factors(value.numerator).second) {

@@ -13,9 +13,9 @@ enum class Verdict { proved, proved_under, approximation, refuted, definition, u
 /// Returns "proved", "proved_under" …
 std::string to_string(Verdict verdict);
 
-/// A point at which the two sides differ, to check by hand. `printed` is the value of the left statement
-/// there, `derived` that of the right one: the value of an expression; of the right-hand side, if both
-/// equations have the same left-hand side; otherwise of left minus right.
+/// A point at which the two sides differ, to check by hand. `printed` and `derived` are the values of the
+/// left and of the right statement there: of an expression, its value; of two equations with the same
+/// left-hand side, the right-hand side; of any other equation, left minus right.
 struct Witness {
   std::map<std::string, std::string> at;  ///< symbol → rational number as text; rounded if in `exactly` or
                                           ///< `between`, or computed from these (with a decimal point)

@@ -18,7 +18,7 @@ struct Body {
   std::vector<std::pair<std::string, std::string>> results;  ///< "value" or "d_psi", expression
 };
 
-/// How a programming language is written. LaTeX is not one; see emit.cpp.
+/// Describes how a programming language writes expressions. LaTeX is not one of them; see emit.cpp.
 class Dialect {
  public:
   virtual ~Dialect() = default;

@@ -32,7 +32,7 @@ T quotient(T a_k, const T* b, const T* c, int k) {
   return a_k / b[0];
 }
 
-/// x^(1/n). Overload it for number types that know a faster one.
+/// Returns x^(1/n). Overload it for number types that know a faster root.
 template <class T>
 T root(T x, int n) {
   using std::pow;
@@ -156,7 +156,8 @@ std::string each(const Names& names, const std::string& line) {
   return text;
 }
 
-/// Returns coefficient k + 1 by that of the rate. The factors that do not depend on the rate come first.
+/// Returns coefficient k + 1 of a motion from coefficient k of its rate. The factors that do not depend on
+/// the rate come first.
 Tree integrated(const Tree& rate) {
   Tree share = leaf("share"), rest = rate;
   if (rate->kind == Node::Kind::negative)

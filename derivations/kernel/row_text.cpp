@@ -107,7 +107,7 @@ std::string whole_text(const Relation& relation) {
 std::string left_text(const Relation& relation) { return coq_text(relation.sides.front()); }
 std::string right_text(const Relation& relation) { return coq_text(relation.sides.back()); }
 
-/// What may stand before the brace of a placeholder, and what it writes.
+/// The beginnings of placeholders, and what each writes.
 constexpr std::array<std::pair<const char*, std::string (*)(const Relation&)>, 3> placeholders{
     {{"row{", whole_text}, {"left{", left_text}, {"right{", right_text}}};
 

@@ -20,7 +20,7 @@ struct Characters {
 
 constexpr char32_t dot_above = 0x307, diaeresis = 0x308, macron = 0x304;
 
-/// Precomposed letters, as a keyboard or NFC makes them from a letter and a mark, each before its letter.
+/// The precomposed letters, as a keyboard or NFC makes them from a letter and a mark, each before its letter.
 constexpr std::pair<char32_t, std::u32string_view> composed[] = {
     {dot_above, U"ȧaḃbċcḋdėeḟfġgḣhṁmṅnȯoṗpṙrṡsṫtẇwẋxẏyżzĖEḢHṘR"},
     {diaeresis, U"äaëeḧhïiöoẗtüuẅwẍxÿyÄAÖOÜU"},
@@ -57,7 +57,7 @@ bool continues_name(char32_t c) {
   return is_letter(c) || is_digit(c) || c == '_' || is_dot(c) || subscript_digit(c) >= 0;
 }
 
-/// How a character is read: its kind, and its name here or the message about it.
+/// The spelling of a character: its kind, and its name here or the message about it.
 struct Spelling {
   std::u32string_view characters;  ///< any of them
   Token::Kind kind;

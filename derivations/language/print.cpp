@@ -16,7 +16,7 @@ enum class Place {
   exponent,  ///< numbers, names and calls
 };
 
-/// How a notation writes signs and names.
+/// The signs and names of a notation.
 struct Signs {
   std::string minus, pi, times, opening, closing, at_most, at_least;
   std::string Symbol::*name;

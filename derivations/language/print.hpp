@@ -14,7 +14,7 @@ std::string print(const Relation& relation, Notation notation, const Symbols& sy
 /// The same in our own syntax, in which symbols are written by their names.
 inline std::string print(const Tree& tree) { return print(tree, Notation::plain, {}); }
 inline std::string print(const Relation& relation) { return print(relation, Notation::plain, {}); }
-/// print(to_tree(expression)).
+/// Returns print(to_tree(expression)).
 std::string print(const GiNaC::ex& expression, Notation notation, const Symbols& symbols);
 
 }  // namespace rederive::language

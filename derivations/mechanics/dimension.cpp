@@ -35,7 +35,7 @@ std::string named(const Dimension& dimension) {
   return dimension == pure ? "a pure number" : unit_text(dimension);
 }
 
-/// One term of a sum, and its name in messages.
+/// A term of a sum, and its name in messages.
 struct LabelledTerm {
   std::string label;
   Maybe dimension;

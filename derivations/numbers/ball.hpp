@@ -58,7 +58,7 @@ class Ball {
     return Ball(*this).changed([&](Ball& y) { y.bits_ = bits; });
   }
 
-  /// True if it holds for every number in the ball; false if that is not certain.
+  /// Return true if the relation holds for every number in the ball; false if that is not certain.
   bool is_positive() const { return arb_is_positive(x_); }
   bool is_negative() const { return arb_is_negative(x_); }
   bool is_nonzero() const { return is_positive() || is_negative(); }

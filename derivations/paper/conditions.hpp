@@ -8,8 +8,7 @@
 
 namespace rederive::paper {
 
-/// Those of the paper's conditions that say something of one of these names, or of a symbol in another one of
-/// them.
+/// Returns the paper's conditions on one of these names, or on a symbol in another condition that it returns.
 std::vector<language::Relation> declared_conditions_on(const Paper& paper, std::set<std::string> names);
 
 }  // namespace rederive::paper

@@ -24,8 +24,8 @@ void collect_arguments(const Tree& tree, std::vector<Tree>& arguments) {
     arguments.push_back(argument);
 }
 
-/// What may be meant by an argument: half of the argument, twice the argument, another one, or this one with
-/// a slip undone.
+/// Returns what may be meant by an argument: half of the argument, twice the argument, another one, or this
+/// one with a slip undone.
 std::vector<Tree> instead_of(const Tree& argument, const std::vector<Tree>& others, const Paper& paper) {
   const Symbols& symbols = paper.symbols;
   std::vector<Tree> result;

@@ -21,7 +21,8 @@ class Derivations {
   void add(const std::string& id, mechanics::Derive derive);
   bool contains(const std::string& id) const { return all_.contains(id); }
   std::vector<std::string> ids() const;  ///< sorted
-  /// What the function of a row returns. Throws std::out_of_range if there is none, and what it throws.
+  /// Returns what the function of a row returns. Throws std::out_of_range if the row has no function, and
+  /// everything that the function throws.
   const mechanics::Derivation& at(const std::string& id) const;
 
  private:

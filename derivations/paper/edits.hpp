@@ -12,7 +12,7 @@ language::Tree negative(const language::Tree& tree);
 language::Tree sum(const language::Tree& a, const language::Tree& b, bool minus = false);
 language::Tree product(const language::Tree& a, const language::Tree& b, bool divide = false);
 language::Tree call(const std::string& name, const language::Tree& argument);
-/// How many parts it has.
+/// Returns the number of parts of a tree.
 std::size_t size_of(const language::Tree& tree);
 /// The part of a product from one factor to another: b/c of a*b/c.
 language::Tree part_of(const language::Tree& product, std::size_t first, std::size_t last);

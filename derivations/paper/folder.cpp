@@ -13,7 +13,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// How a name is written if nothing else is said: theta_0 as θ₀. `dots` is the number of time derivatives.
+/// The spelling of a name if nothing else is given: theta_0 as θ₀. `dots` is the number of time derivatives.
 struct Spelling {
   std::string latex, unicode;
 };
@@ -107,7 +107,7 @@ DeclaredSymbols symbols_in(TomlTable& document) {
   return all;
 }
 
-/// What functions.toml says about a paper. A function or a stepper refers to rows by their derivations.
+/// The content of functions.toml. A function or a stepper refers to rows by their derivations.
 class FunctionsFile {
  public:
   FunctionsFile(const Paper& paper, const fs::path& file) : paper_(paper), file_(file) {}

@@ -8,10 +8,10 @@ namespace rederive::paper {
 
 /// A row of `ledger --json`.
 nlohmann::ordered_json to_json(const Entry& entry);
-/// What `ledger prove --json` prints.
+/// Returns what `ledger prove --json` prints.
 nlohmann::ordered_json to_json(const decide::Proof& proof);
 
-/// "consistent", "inconsistent"; "not_applicable" where nothing is printed.
+/// Returns "consistent", "inconsistent", or "not_applicable" for a row of which nothing is printed.
 std::string dimension_word(const Entry& entry);
 
 }  // namespace rederive::paper

@@ -19,7 +19,8 @@ using namespace program;
 
 namespace {
 
-/// "theta < 0" as θ and a number, turned round where the number comes first; nothing of other relations.
+/// Returns "theta < 0" as θ and a number, turned round if the number comes first; nothing for other
+/// relations.
 std::optional<Relation> end_of_range(const Relation& link) {
   const auto is_end = [&](int side) {
     return is_symbol(link.sides[side]) && names_of(link.sides[1 - side]).empty();
@@ -53,7 +54,7 @@ std::vector<Relation> links_in(const std::string& domain, const Symbols& symbols
   return links;
 }
 
-/// "theta < 0" puts a new upper end into the range of θ.
+/// Puts a new end into the range of a symbol: "theta < 0" gives θ a new upper end.
 void put_end(Symbols& symbols, const Relation& link) {
   const std::string& name = link.sides[0]->text;
   Range range = read_range(symbols.find(name)->range);
@@ -63,7 +64,7 @@ void put_end(Symbols& symbols, const Relation& link) {
   symbols.narrow(name, range);
 }
 
-/// What a derivation assumes: the relations before : or ;, separated by commas. Words alone say nothing here.
+/// Returns what a derivation assumes: the relations before : or ;, separated by commas. Words are ignored.
 std::vector<Relation> assumed_by(const Derivation& derivation, const Symbols& symbols) {
   std::vector<Relation> result;
   const std::string& said = derivation.assumption;
@@ -98,8 +99,8 @@ std::vector<std::string> small_symbols(const Derivation& derivation, const Symbo
   return small;
 }
 
-/// Whether the sides of a relation have no terms beyond an order in the small symbols; negative powers may be
-/// among them.
+/// Returns whether the sides of a relation have no terms beyond an order in the small symbols; they may have
+/// negative powers.
 bool is_series(const Relation& relation, const std::vector<std::string>& small, int order,
                const Symbols& symbols) {
   constexpr int poles = 8;  // no pole of a higher order

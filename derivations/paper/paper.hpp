@@ -17,8 +17,7 @@
 
 namespace rederive::paper {
 
-/// One paper: its symbols, its printed rows and its derivations. A `Paper` is a value, and a program may hold
-/// several.
+/// A paper: its symbols, its printed rows and its derivations. A program may hold several papers.
 struct Paper {
   std::string title = {};
   std::vector<std::string> authors = {};
@@ -34,7 +33,7 @@ struct Paper {
   std::vector<std::string> free_letters = {};
   /// Symbols that a typesetter may confuse: mutate.hpp replaces the first by the second.
   std::map<std::string, std::string> look_alikes = {};
-  /// Whether the sentences of its steps and rows typeset names of symbols as mathematics without $…$.
+  /// Whether sentences of its steps and rows write names of symbols as mathematics without $…$.
   bool has_names_in_words = false;
   /// The list of the Coq theorems about it, a file among the scripts that ship; empty if there are none.
   std::string theorems = {};

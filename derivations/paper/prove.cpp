@@ -79,7 +79,7 @@ Relation read_assumption(const std::string& text, const Symbols& symbols) {
 
 namespace {
 
-/// What is asked, read.
+/// A request, after it was read.
 struct Question {
   Symbols symbols;
   Relation left, right;

@@ -10,7 +10,7 @@
 
 namespace rederive::paper {
 
-/// What was asked.
+/// A request to prove a statement, as it was typed.
 struct ProveRequest {
   std::string left, right;
   std::vector<std::string> assumptions;  ///< "x > 0", "0 < x < 1", "b < h", "x != 0", "theta = 0"
@@ -22,10 +22,10 @@ struct ProveRequest {
 /// These, and the paper's free letters, are any real numbers.
 language::Symbols declared_symbols(const Paper& paper, const ProveRequest& request);
 
-/// "x > 0", "x != y" as a relation. Throws BadInput, with a caret.
+/// Returns "x > 0", "x != y" as a relation. Throws BadInput, with a caret.
 language::Relation read_assumption(const std::string& text, const language::Symbols& symbols);
 
-/// What was asked, read. Throws BadInput, as `decide` does.
+/// Returns the problem of a request. Throws BadInput, as `decide` does.
 decide::Problem problem_of(const Paper& paper, const ProveRequest& request);
 
 /// Decides. Among the side conditions are the declared ranges and the assumed inequalities without which the

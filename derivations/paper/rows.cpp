@@ -14,9 +14,9 @@ namespace {
 
 using Words = std::vector<std::string>;
 
-/// In the order of RowKind.
+/// The words are in the order of RowKind.
 const Words kinds{"equation", "inequality", "definition", "result"};
-/// In the order of RowError.
+/// The words are in the order of RowError.
 const Words error_words{"sign",     "factor",       "argument",   "subscript",      "swapped symbols",
                         "symbol",   "missing_term", "extra_term", "missing_factor", "extra_factor",
                         "exponent", "reciprocal",   "function",   "relation",       "limit",

@@ -13,7 +13,7 @@ enum class RowKind { equation, inequality, definition, result };
 /// Returns "equation", "inequality" …
 std::string to_string(RowKind kind);
 
-/// What is wrong with a refuted row.
+/// The kind of error in a refuted row.
 // clang-format off
 enum class RowError {
   sign, factor, argument, subscript, swapped_symbols, symbol, missing_term, extra_term, missing_factor,
@@ -29,7 +29,7 @@ struct Row {
   RowKind kind = RowKind::equation;
   std::string
       statement;  ///< a result of ours, in the form in which we state it; the paper prints nothing like it
-  /// What is compared with the derivation: what is printed, or what we state.
+  /// Returns what is compared with the derivation: what is printed, or what we state.
   const std::string& claim() const { return kind == RowKind::result ? statement : printed; }
   std::vector<std::string> follows_from;
   std::vector<std::string> rests_on_it;  ///< ids of the rows that follow from it, directly or through others

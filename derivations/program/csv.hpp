@@ -5,7 +5,7 @@
 
 namespace rederive::program {
 
-/// When a cell gets quotation marks: only if it needs them, or always.
+/// The cells that get quotation marks: only those that need them, or all.
 enum class CsvQuotes { where_needed, always };
 
 /// Returns `text` as one cell of a CSV file. A text that a spreadsheet would take for a formula, because it

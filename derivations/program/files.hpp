@@ -55,7 +55,7 @@ std::string read_whole(const std::filesystem::path& file, const FileReading& how
 /// file that cannot be read.
 std::optional<std::string> read_if_there(const std::filesystem::path& file, const FileReading& how = {});
 
-/// Who may read a new file. A file that is written again keeps its mode.
+/// The readers of a new file. A file that is written again keeps its mode.
 enum class Access { by_umask, owner_only };
 
 /// Writes a file whole or not at all: a new file of a random name beside it takes its place once all of its

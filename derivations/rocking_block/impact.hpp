@@ -10,8 +10,8 @@ namespace rederive::rocking_block {
 GiNaC::ex momentum_before_impact();
 /// Returns the angular momentum about O' of the block that already turns about O' with θ̇₊.
 GiNaC::ex momentum_after_impact();
-/// Returns the angular momentum before the impact by another method: that of the centre of mass, and that
-/// about it.
+/// Returns the angular momentum before the impact by another method: the momentum of the centre of mass plus
+/// the momentum about it.
 GiNaC::ex momentum_before_impact_by_centre();
 /// Return the restitution e = θ̇₊/θ̇₋ of (46), in α alone, by integration and by the parallel-axis theorem.
 GiNaC::ex restitution();

@@ -10,7 +10,7 @@
 
 namespace rederive::classroom {
 
-/// What the subcommands share.
+/// The course, the exercises, the progress file and the output options that all subcommands use.
 struct Classroom {
   const Course& course;
   std::vector<Exercise> exercises;

@@ -1,4 +1,4 @@
-// What exercises are about: a paper, what they take from elsewhere, and right answers computed from both.
+// Defines what exercises use: a paper, numeric functions, and right answers computed from both.
 #pragma once
 
 #include <filesystem>
@@ -21,7 +21,7 @@ struct NumericFunction {
   std::string name;
   std::vector<Argument> arguments;
   double (*value)(const Arguments& arguments);
-  /// Writes how the value comes about.
+  /// Writes the steps by which the value is computed.
   void (*explain)(const Arguments& arguments, page::Page& page);
 };
 
@@ -40,9 +40,9 @@ struct Course {
   LessonPages lessons;
   std::string program;             ///< what a user types before a subcommand: "exercises"
   std::filesystem::path progress;  ///< the file in which progress is kept unless another one is named
-  /// What names stand for wherever they are used: an answer may use either.
+  /// The values of names wherever they are used: an answer may use the name or the value.
   std::vector<language::Given> definitions = {};
-  /// Derivations that exercises name and that the paper does not have.
+  /// Derivations that exercises name and that the paper does not contain.
   paper::Derivations derivations = {};
   std::vector<NumericFunction> functions = {};
 };
@@ -52,15 +52,15 @@ const NumericFunction& function_named(const std::string& name, const Course& cou
 /// Throws std::invalid_argument unless the function has the arguments that it needs, each in its range, and
 /// no others.
 void check_arguments(const NumericFunction& function, const Arguments& arguments);
-/// Adds to `given` the definitions whose names and values use only the symbols in `at_hand`, but never that
-/// of `asked_for`, the name of the answer.
+/// Adds to `given` the definitions whose names and values use only the symbols in `at_hand`, except the
+/// definition of `asked_for`, the name of the answer.
 void add_definitions(std::vector<language::Given>& given, const std::set<std::string>& at_hand,
                      const std::string& asked_for, const Course& course);
 
-/// What an exercise asks for.
+/// The kind of an exercise: what it asks for.
 enum class Kind { expression, equation, number, choice, wrong_term };
 
-/// Where an answer comes from: a derivation, worked on a little. It is never a formula typed into the
+/// The source of an answer: a derivation, and a few operations on it. It is never a formula typed into the
 /// exercise.
 struct Reference {
   enum class Side { left, right, whole };
@@ -75,14 +75,14 @@ struct Reference {
   Arguments arguments;                     ///< of the function
 };
 
-/// What a reference comes to: a relation (one side alone for an expression), or a number.
+/// The value of a reference: a relation (one side alone for an expression), or a number.
 struct Answer {
   language::Relation relation;
   std::vector<language::Given> given;
   double number = 0;
-  /// What was done from the derivation on, with what came of it.
+  /// The operations on the derivation, each with its result.
   std::vector<std::pair<std::string, language::Relation>> way;
-  /// What is substituted into the relation, an expression, to get the number.
+  /// The values that are substituted into the relation, an expression, to get the number.
   std::vector<std::pair<std::string, language::Tree>> values;
 };
 

@@ -1,4 +1,4 @@
-// `exercises grade`: judges a whole class, and writes what a teacher makes of it.
+// Implements `exercises grade`: judges a whole class, and writes results for the teacher.
 #pragma once
 
 #include <lessons/exercises/handed_in.hpp>

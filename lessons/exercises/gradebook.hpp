@@ -10,7 +10,8 @@
 
 namespace rederive::classroom {
 
-/// What an answer is worth, and until when it must be handed in. Times are in seconds since 1970.
+/// The rules for marks: what an answer is worth, and until when it must be handed in. Times are in seconds
+/// since 1970.
 struct Rules {
   std::map<std::string, double> weights;                                  ///< of the exercises that count
   std::map<std::string, std::int64_t> deadlines;                          ///< by exercise

@@ -10,7 +10,7 @@
 
 namespace rederive::classroom {
 
-/// One answer; or, if it is not judged, why not.
+/// An answer, or the reason for which it is not judged.
 struct Row {
   std::string exercise;             ///< its id; the name of a file, or "", if that is not judged
   std::filesystem::path file = {};  ///< empty if it is not judged

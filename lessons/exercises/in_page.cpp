@@ -31,7 +31,7 @@ std::string inline_math(const Relation& relation) {
   return "$" + print_statement(relation, Notation::plain, {}) + "$";
 }
 
-/// Lines of which one has a caret that must keep its place.
+/// Writes lines of which one has a caret that must keep its place.
 Remark lines_of(const std::string& text) { return {.label = "", .verbatim = cut(text, 2000)}; }
 
 std::vector<Remark> remarks_of(const std::string& text, const Symbols& symbols) {
@@ -46,7 +46,7 @@ std::string standing(const Record& record) {
   return status + ", " + counted(static_cast<std::size_t>(record.attempts), "attempt");
 }
 
-/// The statement of an exercise, with the symbols that an answer may use.
+/// Returns the statement of an exercise, with the symbols that an answer may use.
 std::vector<Passage> statement_of(const Exercise& exercise) {
   std::vector<Passage> passages;
   for (const std::string& sentence : sentences_of(exercise.statement, exercise.language()))
@@ -62,7 +62,7 @@ std::vector<Passage> statement_of(const Exercise& exercise) {
   return passages;
 }
 
-/// An exercise with its form. `reply` understands the buttons.
+/// Returns an exercise with its form. `reply` understands the buttons.
 ExerciseForm form_of(const Exercise& exercise, const Progress& progress, bool open) {
   ExerciseForm form{.id = exercise.id,
                     .title = exercise.title,
@@ -85,7 +85,7 @@ ExerciseForm form_of(const Exercise& exercise, const Progress& progress, bool op
 
 std::string script() { return read_whole(exercises_folder() / "exercise.js"); }
 
-/// What is read while a student types, in a process of its own.
+/// Returns what is read while a student types, by a process of its own.
 std::string read_back(const Exercise& exercise, const std::string& text) {
   const auto work = [&]() -> std::string {
     try {

@@ -1,5 +1,5 @@
-// Exercises as passages: for the pages of `exercises serve`, and for those that a teacher hands back. What
-// students wrote is only ever text in them.
+// Turns exercises into passages of a page, for `exercises serve` and for the pages that a teacher hands back.
+// The pages show what students wrote as text only.
 #pragma once
 
 #include <lessons/exercises/classroom.hpp>
@@ -11,32 +11,32 @@ namespace rederive::classroom {
 
 /// Returns the beginning of a text, at most `most` bytes, in printable characters.
 std::string cut(const std::string& text, std::size_t most);
-/// Returns the same as a sentence that shows it as it is typed.
+/// Returns such a beginning as a sentence that shows it as it was typed.
 std::string as_code(const std::string& text, std::size_t most = 2000);
-/// Returns the paragraphs of a text with marks as sentences. One with a formula that cannot be read is plain
-/// text.
+/// Returns the paragraphs of a text with marks as sentences. A paragraph with a formula that cannot be read
+/// becomes plain text.
 std::vector<std::string> sentences_of(const std::string& text, const language::Symbols& symbols);
-/// Returns what the judge says of an answer.
+/// Returns the opinion of the judge on an answer.
 page::Findings verdict_findings(const Opinion& opinion, const language::Symbols& symbols);
 
 /// Returns the forms of all exercises, and the script that serves them, as the option --forms of a lesson
 /// reads them.
 std::string forms_json(const Classroom& room);
-/// Returns the page of all exercises, lesson by lesson, with what is done. `titles` has the titles of the
-/// lessons by their programs, in order.
+/// Returns the page of all exercises, lesson by lesson, with the student's progress. `titles` maps the
+/// programs of the lessons, in order, to their titles.
 std::string page_of_exercises(const Classroom& room, const std::map<std::string, std::string>& titles);
 /// Returns the page with the statements of all exercises, which says how to answer them.
 std::string page_of_statements(const Classroom& room);
-/// Writes the index of the lessons and the page of the exercises' statements into a folder: index.html,
-/// exercises.html.
+/// Writes index.html, which lists the lessons, and exercises.html, which has the statements of the exercises,
+/// into a folder. Returns the exit code.
 int write_index(const Classroom& room, const std::string& folder);
 
-/// What comes of a form: HTML to show, and the progress of the student.
+/// The answer to a form: HTML to show, and the progress of the student.
 struct Reply {
   std::string says, standing;
 };
 /// Returns the reply to a button: read (nothing is judged), check, hint, solution, give_up. Throws BadInput
-/// for another.
+/// for any other.
 Reply reply(const Classroom& room, const Exercise& exercise, const std::string& what,
             const std::string& answer);
 

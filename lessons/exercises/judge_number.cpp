@@ -40,7 +40,7 @@ Slip usual_slip(const Exercise& exercise, const Quantity& read, double right) {
   return is_close ? Slip::rounding : Slip::other;
 }
 
-/// Returns what to say about a value that is neither right nor that of the wrong unit.
+/// Returns what to say about a value that is neither right nor right in another unit.
 Opinion why_wrong_number(const Prepared& prepared, const Quantity& read) {
   const Exercise& exercise = prepared.exercise;
   const double right = prepared.answer.number;

@@ -12,7 +12,7 @@ namespace {
 struct OutcomeWords {
   const char *word, *sentence;
 };
-/// In the order of Outcome.
+/// The words are in the order of Outcome.
 constexpr std::array outcome_words{
     OutcomeWords{"correct", "Correct."},
     OutcomeWords{"wrong_form", "The value is right, but the form is not."},

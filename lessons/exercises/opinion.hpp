@@ -24,7 +24,7 @@ struct Opinion {
   double score = 0;       ///< from 0 to 1
   std::string hint = {};  ///< for a student who asks for one after this answer; "" if there is none for it
   std::string read_as = {};
-  bool shows_place = false;  ///< the feedback has lines with a caret below the place, and is no sentence
+  bool shows_place = false;  ///< the feedback is lines with a caret below the place, not a sentence
   std::optional<decide::Witness> witness = {};
   int line = 0;  ///< of a working: the line that is meant
 };

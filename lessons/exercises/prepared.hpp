@@ -17,7 +17,8 @@ struct Road {
   language::Relation relation = {};
   std::optional<Signature> signature = {};
   double number = 0;
-  /// To how many digits a number is recognised. 0: to those asked for, and to those typed if they are more.
+  /// The number of digits to which a number is recognised. 0: the digits asked for, or the digits typed if
+  /// they are more.
   int digits = 0;
 };
 
@@ -48,7 +49,7 @@ std::optional<Signature> signature_of(const Prepared& prepared, const language::
 /// Decides whether two statements of an exercise say the same.
 decide::Proof proof_of(const Prepared& prepared, const language::Relation& read,
                        const language::Relation& against);
-/// Returns whether a verdict is that of a right answer.
+/// Returns whether a verdict means a right answer.
 bool is_right(decide::Verdict verdict);
 /// Returns by how much a value may differ from `right`: half a unit of the last of so many digits.
 double allowance(double right, int digits);

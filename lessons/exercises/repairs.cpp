@@ -318,7 +318,7 @@ class Search {
   const std::function<bool(const Repair&)>& accept_;
   Parts parts_;
   std::size_t side_ = 0;
-  Tree term_;  ///< of the innermost sum that is no argument: what is looked at lies in it
+  Tree term_;  ///< of the innermost sum that is not an argument; it contains the part
   int proofs_ = 0;
   std::optional<Repair> found_;
 };

@@ -23,7 +23,7 @@ using namespace page;
 namespace {
 
 /// Returns the page of a lesson with the forms of its exercises, as its program writes it. The page is kept;
-/// the script asks how the exercises stand.
+/// its script asks for the student's progress.
 std::string page_of_lesson(const Classroom& room, const std::string& lesson) {
   static std::map<std::string, std::string> pages;
   if (const auto known = pages.find(lesson); known != pages.end()) return known->second;

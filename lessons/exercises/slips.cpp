@@ -46,7 +46,7 @@ constexpr std::array slip_names{"",
                                 "other"};
 static_assert(slip_names.size() == static_cast<std::size_t>(Slip::other) + 1);
 
-/// In the order of SlipTable.
+/// The names are in the order of SlipTable.
 constexpr std::array table_names{"answer", "number", "part", "whole", "hint"};
 
 using Texts = std::map<std::string, std::string>;

@@ -48,7 +48,7 @@ enum class Slip {
   other
 };
 
-/// What an answer is tallied under: a slip, or another stable word, such as "syntax".
+/// The word under which an answer is counted: a slip, or another stable word, such as "syntax".
 struct Note {
   Slip slip = Slip::listed;
   std::string word;

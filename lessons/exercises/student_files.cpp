@@ -21,7 +21,7 @@ namespace {
 struct TroubleWords {
   const char *word, *sentence;
 };
-/// In the order of Trouble.
+/// The words are in the order of Trouble.
 constexpr std::array trouble_words{
     TroubleWords{"", ""},
     TroubleWords{"symlink", "A link was handed in instead of a file."},
@@ -49,7 +49,7 @@ std::vector<std::pair<int, std::string>> without_comments(const std::string& tex
   return result;
 }
 
-/// In the order of Status.
+/// The names are in the order of Status.
 constexpr std::array statuses{"open", "tried", "solved", "given_up"};
 
 constexpr auto heading =

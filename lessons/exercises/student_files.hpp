@@ -10,7 +10,7 @@
 
 namespace rederive::classroom {
 
-/// Why a file, or what a student handed in, is not judged.
+/// The reason for which a file, or an answer in it, is not judged.
 enum class Trouble {
   none,
   symlink,
@@ -46,7 +46,7 @@ enum class Status { open, tried, solved, given_up };
 /// Returns the word in the progress file: "given_up".
 std::string to_string(Status status);
 
-/// What a student has done of one exercise.
+/// A student's progress in one exercise.
 struct Record {
   Status status = Status::open;
   int attempts = 0, hints = 0;

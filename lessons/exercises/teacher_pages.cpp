@@ -1,4 +1,4 @@
-// What a teacher hands back and reads: pages of HTML. What students wrote is only ever text in them.
+// Writes the pages of HTML that a teacher hands back and reads. They show what students wrote as text only.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -25,8 +25,8 @@ std::string words_of(std::string note) {
   return note;
 }
 
-/// A student's name as a file's name: letters, digits, - and _, at most 80 bytes, and not used before, nor on
-/// systems that take a for A.
+/// Returns a student's name as the name of a file: letters, digits, - and _, at most 80 bytes. The name was
+/// not used before, not even on systems that ignore the case of letters.
 std::string file_name_for(const std::string& name, std::set<std::string>& used) {
   std::string safe, rest = printable_line(name);
   while (!rest.empty()) {
@@ -50,7 +50,7 @@ std::string page(const Classroom& room, const std::string& title, const std::vec
   return rendered({title, {}, "class"}, passages, {.paper = room.course.paper, .format = Format::html});
 }
 
-/// What came of one answer: the statement, the answer, the verdict, a hint, and the marks if it counts.
+/// Adds the result of one answer: the statement, the answer, the verdict, a hint, and the marks if it counts.
 void add_section(const Exercise& exercise, const Rules& rules, const Student& student, const Row& row,
                  std::vector<Passage>& passages) {
   const auto say = [&](const std::string& text) {
@@ -118,7 +118,7 @@ Table table_of(const Slips& slips, const std::string& heading,
   return table;
 }
 
-/// The three most frequent answers.
+/// Returns the three most frequent answers.
 std::string typical_answers(const Seen& seen) {
   auto answers = by_frequency(seen.answers, std::identity());
   answers.resize(std::min<std::size_t>(answers.size(), 3));

@@ -1,4 +1,4 @@
-// What a teacher hands back and reads: pages of HTML. What students wrote is only ever text in them.
+// Writes the pages of HTML that a teacher hands back and reads. They show what students wrote as text only.
 #pragma once
 
 #include <algorithm>
@@ -12,20 +12,21 @@
 
 namespace rederive::classroom {
 
-/// How often a slip was made, and with which answers.
+/// The number of times that a slip was made, with which answers and in which exercises.
 struct Seen {
   int times = 0;
   std::map<std::string, int> answers = {};
   std::set<std::string> exercises = {};
 };
-/// What became of the answers to an exercise.
+/// The results of the answers to an exercise.
 struct Tally {
   int answers = 0, correct = 0;
   std::map<std::string, Seen> slips = {};  ///< by note: of what is not correct
 };
 std::map<std::string, Tally> tallies_of(const std::vector<Student>& students);
 
-/// The most frequent first, then by name.
+/// Returns the entries of a map, the most frequent first, then by name. `count` returns how frequent a value
+/// is.
 template <class Map, class Count>
 auto by_frequency(const Map& map, Count count) {
   std::vector<std::pair<typename Map::key_type, typename Map::mapped_type>> list(map.begin(), map.end());
@@ -35,11 +36,12 @@ auto by_frequency(const Map& map, Count count) {
   return list;
 }
 
-/// A page a student: a file's name that is safe anywhere and differs from all others, and the page.
+/// Returns one page per student: the name of its file, which is safe on all systems and differs from all
+/// others, and its HTML.
 std::vector<std::pair<std::string, std::string>> feedback_pages(const Classroom& room,
                                                                 const std::vector<Student>& students,
                                                                 const Rules& rules);
-/// A page about the class, without names: which slip is common, with typical answers.
+/// Returns a page about the class, without names: which slips are common, with typical answers.
 std::string report_page(const Classroom& room, const std::vector<Student>& students);
 
 }  // namespace rederive::classroom

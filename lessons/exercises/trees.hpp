@@ -32,9 +32,9 @@ std::vector<numbers::Point> sample_points(const std::set<std::string>& names, st
 /// Returns whether all relations, of two sides each, certainly hold at a point.
 bool hold_at(const std::vector<language::Relation>& relations, const numbers::Point& point);
 
-/// The values by which two statements are compared: those of an expression; or those of the symbol `pivot`
-/// that solve an equation, which must be linear in it; or, without a pivot, ratios of the residuals of an
-/// equation. Equal values are a reason to try a proof, and no proof.
+/// The values by which two statements are compared: of an expression, its values; of an equation with a
+/// pivot, in which it must be linear, the values of the symbol `pivot` that solve it; of any other equation,
+/// ratios of its residuals. Equal values suggest that a proof exists; they do not prove it.
 using Signature = std::vector<double>;
 /// Returns nothing if a value is undefined.
 std::optional<Signature> signature(const language::Relation& statement, const std::string& pivot,

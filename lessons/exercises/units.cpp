@@ -98,8 +98,8 @@ int digits_of(const Tree& tree) {
 
 bool is_letter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }
 
-/// What was typed, translated into our syntax, where units need a sign of multiplication; for each byte, its
-/// place in what was typed.
+/// A text translated into our syntax, in which units need a sign of multiplication. It keeps, for each byte,
+/// the place in the text that was typed.
 class Typed {
  public:
   explicit Typed(const std::string& typed) : typed_(typed) {
@@ -188,7 +188,7 @@ std::optional<std::pair<Tree, Tree>> number_and_unit(const Tree& tree) {
   return std::pair(factors(tree, 0, at), factors(tree, at, tree->children.size()));
 }
 
-/// Returns (a - b)*m for a - b*m: the only unit, at the end of a sum, is that of the whole sum.
+/// Returns (a - b)*m for a - b*m: the only unit, at the end of a sum, belongs to the whole sum.
 Tree with_unit_of_whole(const Tree& tree) {
   if (tree->kind != Node::Kind::sum) return tree;
   const auto& terms = tree->children;

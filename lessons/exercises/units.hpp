@@ -11,12 +11,12 @@ struct Quantity {
   double value = 0;                               ///< in SI units; angles in radians
   std::optional<mechanics::Dimension> dimension;  ///< nothing where no unit was typed
   std::string read_as;                            ///< reads back as the same quantity
-  int digits = 0;         ///< how many significant ones were typed; 0 if it is no plain decimal number
+  int digits = 0;         ///< how many significant ones were typed; 0 unless it is a plain decimal number
   bool in_turns = false;  ///< the unit is Hz, which counts whole turns
 };
 
-/// Reads a number with a unit. Each term of a sum has its own unit, or the last term has that of the whole
-/// sum: 1.5 - 1.47 m is 0.03 m. Throws SyntaxError if a number or a unit cannot be read, if terms have
+/// Reads a number with a unit. Each term of a sum has its own unit, or the last term has the unit of the
+/// whole sum: 1.5 - 1.47 m is 0.03 m. Throws SyntaxError if a number or a unit cannot be read, if terms have
 /// different units, and for 90 - 30 deg, which has two readings.
 Quantity parse_quantity(const std::string& text);
 /// Returns whether a text is a unit: "kg*m^2".

@@ -109,7 +109,7 @@ class Watch {
     if (std::fflush(stdout) != 0) throw BadInput("standard output could not be written");
   }
 
-  /// Names each file once whose name is not that of an exercise. Returns whether there was a new one.
+  /// Names once each file whose name is not the name of an exercise. Returns whether there was a new one.
   bool name_strangers() {
     bool any = false;
     std::error_code error;

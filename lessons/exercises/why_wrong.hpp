@@ -1,4 +1,4 @@
-// Says what is wrong with a formula: the first thing that is certain.
+// Says what is wrong with a formula: the first fact that is certain.
 #pragma once
 
 #include <lessons/exercises/prepared.hpp>
@@ -10,9 +10,9 @@ Opinion why_wrong(const Prepared& prepared, const language::Relation& read,
                   const std::optional<Signature>& mine);
 
 /// Returns a point with a number of one or two digits for each symbol, at which a student sees with pencil
-/// and paper that an answer is wrong. The values there have six digits: those of an expression, or of the
-/// pivot of an equation; for an equation without pivot, the difference of its sides where the right one
-/// holds.
+/// and paper that an answer is wrong. The point comes with values of six digits: of an expression, its
+/// values; of an equation with a pivot, the values of the pivot; of any other equation, the difference of its
+/// sides where the right equation holds.
 std::optional<decide::Witness> by_hand(const Prepared& prepared, const language::Relation& read);
 
 }  // namespace rederive::classroom

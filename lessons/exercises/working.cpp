@@ -20,7 +20,7 @@ using namespace paper;
 using namespace page;
 namespace {
 
-/// One link of a line.
+/// A step: one link of a line.
 struct Step {
   int line = 0;
   std::string text;

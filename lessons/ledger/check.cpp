@@ -89,8 +89,8 @@ std::vector<std::string> axioms_in(const std::string& output) {
   return result;
 }
 
-/// What lemmas assume, taken together: asked for one by one, each goes through all of Coq's reals; a tuple
-/// of them has a type that takes longer than their proofs.
+/// Returns what lemmas assume, taken together: asked for one by one, each goes through all of Coq's reals; a
+/// tuple of them has a type that takes longer than their axioms.
 std::vector<std::string> axioms_of(const Folder& folder, const std::vector<const Lemma*>& lemmas) {
   std::set<std::string> files;
   for (const Lemma* lemma : lemmas) files.insert(lemma->file.substr(0, lemma->file.size() - 2));

@@ -33,7 +33,7 @@ struct Claim {
   std::map<std::string, std::string> at;  ///< values of symbols, in our syntax
 };
 
-/// What a check finds: the verdict, and the numbers or words for the places in the sentences of the claim.
+/// The result of a check: the verdict, and the numbers or words for the places in the sentences of the claim.
 using Item = std::variant<double, int, std::string>;
 using Items = std::vector<Item>;
 struct Finding {

@@ -44,8 +44,8 @@ nlohmann::ordered_json claims_json(const std::vector<JudgedClaim>& judged) {
 
 namespace {
 
-/// The verdict on a claim with what was found; the `whole` of it says also what that means and how it is
-/// decided.
+/// Returns the verdict on a claim with what was found. With `whole` it also says what that means and how the
+/// claim is decided.
 Findings findings(const JudgedClaim& judged, bool whole) {
   const Claim& claim = judged.claim;
   const std::string verdict = to_string(judged.verdict);

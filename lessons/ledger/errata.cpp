@@ -17,7 +17,7 @@ using namespace page;
 
 namespace {
 
-/// How many refuted rows follow from this one without a detour: an error that spreads counts for more than
+/// Returns how many refuted rows follow directly from this one: an error that spreads counts for more than
 /// one that the next line mends.
 long spread(const Entry& entry, const std::vector<Entry>& wrong) {
   return std::count_if(wrong.begin(), wrong.end(), [&](const Entry& other) {

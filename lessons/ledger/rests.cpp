@@ -117,7 +117,7 @@ std::string rests_drawing(const std::vector<Support>& supports) {
   int height = 0;
   for (const auto& [column, size] : heights) height = std::max(height, size);
   const auto x = [&](std::size_t k) { return 10 + 74 * columns[k]; };
-  const auto y = [&](std::size_t k) {  // columns stand in the middle
+  const auto y = [&](std::size_t k) {  // columns are centred
     return 10 + 24 * lines[k] + 12 * (height - heights[columns[k]]);
   };
   std::string drawing = fmt::format(

@@ -5,7 +5,7 @@
 
 namespace rederive::ledger {
 
-/// How Coq obtains a row.
+/// The way in which Coq obtains a row.
 struct Support {
   enum class By {
     name,        ///< it is not a row but an assumption of theorems: Newton, the linearisation

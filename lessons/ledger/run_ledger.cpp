@@ -191,7 +191,7 @@ void take_rows(Options& options) {
                      joined(rows, ", ", [](const Row& row) { return row.id; }));
 }
 
-/// θ as theta, and without blanks around it.
+/// Returns a symbol's name in ASCII, θ as theta, without blanks around it.
 std::string symbol_name(const std::string& text, const Symbols& symbols) {
   const auto tokens = reading(text, [&] { return tokenize(text, symbols, {}); });
   return tokens.size() == 2 && tokens[0].kind == Token::Kind::name ? tokens[0].text : text;

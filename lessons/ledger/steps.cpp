@@ -15,7 +15,7 @@ using namespace kernel;
 
 namespace {
 
-/// What a row says: as it was derived, or as it is defined; nothing of words.
+/// Returns what a row says, as it was derived or as it is defined; nothing if it says words.
 std::optional<Relation> truth_of(const Entry& entry, const Symbols& symbols) {
   if (entry.derivation) return derived_relation(*entry.derivation, symbols);
   if (entry.proof.verdict == Verdict::error) return std::nullopt;
@@ -23,7 +23,7 @@ std::optional<Relation> truth_of(const Entry& entry, const Symbols& symbols) {
   return stated.operators.size() == 1 ? std::optional(stated) : std::nullopt;
 }
 
-/// x/p = v as x = v p, so that it says what x is.
+/// Returns x/p = v as x = v p, so that it defines x.
 Relation solved(const Relation& r) {
   const Tree& left = r.sides[0];
   const bool is_quotient =
@@ -64,8 +64,8 @@ Question with_domain(Question q) {
   return q;
 }
 
-/// One of the ways in which a row may follow: its sides are equal, or it says what one of the rows before
-/// says.
+/// Returns one of the ways in which a row may follow: its sides are equal, or it says the same as one of the
+/// rows before.
 std::optional<Question> question_for(const Entry& entry, const Before& before, const Symbols& symbols) {
   const Relation row = derived_relation(*entry.derivation, symbols);
   const std::vector<Given>& given = entry.derivation->given;

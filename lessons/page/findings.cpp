@@ -13,7 +13,8 @@ using namespace mechanics;
 using namespace paper;
 namespace {
 
-/// "0.123456789…" → six significant digits: enough to see that two numbers differ, short enough to read.
+/// Returns "0.123456789…" with six significant digits: enough to see that two numbers differ, short enough to
+/// read.
 std::string shortened(const std::string& digits) {
   try {
     const double value = std::stod(digits);
@@ -23,15 +24,15 @@ std::string shortened(const std::string& digits) {
   }
 }
 
-/// "123…/456…" → six digits.
+/// Returns "123…/456…" with six digits.
 std::string approximately(const std::string& fraction) {
   const std::size_t bar = fraction.find('/');
   const double under = bar == std::string::npos ? 1 : std::stod(fraction.substr(bar + 1));
   return fmt::format("{:.6f}", std::stod(fraction.substr(0, bar)) / under);
 }
 
-/// What is short enough to work with by hand: "$x = 2/5$", "$x = pi/6$"; else "$x$ ≈ 0.5236". The ledger has
-/// the long ones.
+/// Returns a value that is short enough to work with by hand: "$x = 2/5$", "$x = pi/6$"; otherwise "$x$ ≈
+/// 0.5236". The ledger has the long values.
 std::string value_sentence(const Witness& witness, const std::string& symbol, const std::string& value) {
   const auto exactly = witness.exactly.find(symbol);
   const std::string& text = exactly == witness.exactly.end() ? value : exactly->second;
@@ -49,7 +50,7 @@ std::string witness_sentence(const Witness& witness) {
                      differ ? printed : witness.printed, differ ? derived : witness.derived);
 }
 
-/// w != 0 → "$w$ ≠ $0$", because the notation of formulas has no ≠; w > 0 → "$w > 0$".
+/// Returns w != 0 as "$w$ ≠ $0$", because the notation of formulas has no ≠, and w > 0 as "$w > 0$".
 std::string condition_text(const Relation& condition) {
   if (condition.operators[0] != "!=") return "$" + print(condition) + "$";
   return "$" + print(condition.sides[0]) + "$ ≠ $" + print(condition.sides[1]) + "$";

@@ -39,7 +39,7 @@ struct Scripted {
   }
 };
 
-/// Precomposed letters, each before its base and the accent that MathML draws over it.
+/// The precomposed letters, each before its base and the accent that MathML draws over it.
 constexpr std::string_view composed =
     "ȧa˙ḃb˙ċc˙ḋd˙ėe˙ḟf˙ġg˙ḣh˙ṁm˙ṅn˙ȯo˙ṗp˙ṙr˙ṡs˙ṫt˙ẇw˙ẋx˙ẏy˙żz˙äa¨ëe¨öo¨üu¨ẅw¨ẍx¨ÿy¨ĀA¯āa¯ēe¯ūu¯";
 const std::map<char32_t, std::string_view> combining{{0x307, "˙"}, {0x308, "¨"}, {0x20DB, "⃛"}, {0x304, "¯"},
@@ -139,7 +139,8 @@ class SymbolReader {
 
 bool is_atom(const Node& node) { return node.kind == Kind::symbol || node.kind == Kind::number; }
 bool is_sum(const Node& node) { return node.kind == Kind::sum || node.kind == Kind::negative; }
-/// Whether this is written as a name before its argument, not as a root, a power of e or between bars.
+/// Returns whether a call is written as a name before its argument, not as a root, a power of e or between
+/// bars.
 bool is_named(const Node& node) {
   const Function* function = node.kind == Kind::call ? find_function(node.text) : nullptr;
   return function != nullptr && !function->latex.empty();
@@ -151,7 +152,7 @@ bool begins_with_name(const Node& node) {
 bool begins_with_number(const Node& node) {
   return (node.kind == Kind::power ? *node.children[0] : node).kind == Kind::number;
 }
-/// Whether a number is written with a power of ten.
+/// Returns whether a number is written with a power of ten.
 bool has_exponent(const Node& node) {
   return node.kind == Kind::number && node.text.find_first_of("eE") != std::string::npos;
 }
@@ -195,7 +196,7 @@ struct MathPrinter {
     };
     return row(fence("prefix", opening) + print(inside) + fence("postfix", closing));
   }
-  /// Whether this needs more height than a line.
+  /// Returns whether a node needs more height than a line.
   bool is_tall(const Node& node) const {
     const Symbol* known = node.kind == Kind::symbol ? symbols.find(node.text) : nullptr;
     const bool is_fraction = node.kind == Kind::product && std::ranges::count(node.inverse, true) > 0;

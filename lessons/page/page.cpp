@@ -30,14 +30,14 @@ GiNaC::ex simplified(const GiNaC::ex& expression, const Symbols& symbols) {
   return size(shorter) < size(expression) ? shorter : expression;
 }
 
-/// Whether a step's words begin a sentence: they are written with a capital letter then. Small letters go on
-/// with the sentence before.
+/// Returns whether a step's words begin a sentence and are written with a capital letter. Words with a small
+/// letter continue the sentence before.
 bool begins_sentence(const std::string& words) {
   const unsigned char first = words.empty() ? 'A' : static_cast<unsigned char>(words[0]);
   return first >= 0x80 || !std::islower(first);
 }
 
-/// Whether words lead into what follows them without a mark: "and", "so that the potential is".
+/// Returns whether words lead into what follows them without a mark: "and", "so that the potential is".
 bool leads_on(const std::string& words) {
   static const std::set<std::string> links{"and", "with", "is",   "by",   "at", "in",    "into",
                                            "put", "are",  "from", "that", "so", "where", "Hence"};

@@ -23,7 +23,7 @@ std::vector<std::string> paragraphs(std::string_view text);
 /// Takes a sentence apart; passages.hpp lists the marks. Throws std::invalid_argument, with the sentence, if
 /// a mark is not closed.
 std::vector<Span> spans(std::string_view sentence);
-/// Any text as a sentence, or as the part of one, in which no character is a mark.
+/// Returns any text as a sentence, or as a part of one, in which no character is a mark.
 std::string literal(std::string_view text);
 
 /// Returns a relation or an expression in a notation.

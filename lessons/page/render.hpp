@@ -40,8 +40,8 @@ struct Setting {
   std::vector<std::string> equations_of(int lesson) const;
 };
 
-/// One format. A page is begun, gets passages in one or several calls, so that a class sees each step as it
-/// is computed, and is ended.
+/// A format of pages. A page is begun, gets passages in one or several calls, so that a class sees each step
+/// as it is computed, and is ended.
 class Renderer {
  public:
   explicit Renderer(const Setting& setting) : setting_(setting) {}

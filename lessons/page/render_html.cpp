@@ -235,7 +235,7 @@ class HtmlRenderer : public Renderer {
            "<div class=\"reply\" role=\"status\"></div>\n</form>\n</details>\n";
   }
 
-  /// One of the choices, or a line to type into.
+  /// Returns the radio buttons of the choices, or a line to type into.
   std::string field(const ExerciseForm& part) {
     if (part.choices.empty())
       return fmt::format(
@@ -254,7 +254,7 @@ class HtmlRenderer : public Renderer {
            "</fieldset>\n";
   }
 
-  bool is_in_heading_ = false;       ///< where numbers of equations are no links
+  bool is_in_heading_ = false;       ///< where numbers of equations are not links
   std::set<std::string> placed_;     ///< rows that have their anchor
   std::set<std::string> mentioned_;  ///< exercises
   std::set<std::string> here_;       ///< those of them that have no place yet

@@ -8,7 +8,7 @@
 
 namespace rederive::papers {
 
-/// What to do if derivations.json is older than paper.toml or the source of the derivations.
+/// The action to take if derivations.json is older than paper.toml or the source of the derivations.
 enum class Stale {
   derive_again,  ///< run derive.py; derive.cpp is an error that says to build it
   refuse         ///< an error: for commands that read what others hand in, which run no code of a paper

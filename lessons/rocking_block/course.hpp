@@ -10,8 +10,8 @@ namespace rederive::rocking_block {
 /// 0.25, alpha).
 const classroom::Course& course();
 
-/// e of a light block with a point mass in the middle of its top face: the moment of the momentum about the
-/// new corner is kept. In b and h.
+/// Derives e, in b and h, of a light block with a point mass in the middle of its top face: the moment of the
+/// momentum about the new corner is kept.
 mechanics::Derivation mass_at_the_top();
 /// The condition of (71) for a pulse that stops after half a sine, when its argument is pi.
 mechanics::Derivation half_sine();

@@ -1,5 +1,4 @@
-// Writes the workbench at build time: the element for lessons, and a page that consists of it.
-// Usage: workbench_page FOLDER SOURCES
+// Writes the workbench at build time: the element for lessons, and a page that contains only this element.
 #include <fmt/format.h>
 
 #include <derivations/program/program.hpp>
@@ -28,7 +27,7 @@ const Symbols& symbols() { return paper().symbols; }
 
 Relation printed(const std::string& id) { return parse_relation(row_of(paper(), id).printed, symbols()); }
 
-/// (88) as printed, left less right, to be drawn beside what is derived.
+/// Returns (88) as printed, left minus right, to be drawn beside what is derived.
 EmittedFunction printed_88() {
   const Relation relation = printed("88");
   const GiNaC::ex residual =
@@ -62,7 +61,7 @@ EmittedFunction cosine_from_rest() {
           "Left less right of the threshold of the one-cosine pulse from rest, theta > 0"};
 }
 
-/// What emit writes of the functions that the page calls, in a scope of its own.
+/// Returns the functions that the page calls, as emit writes them, in a scope of their own.
 std::string physics(const std::string& script) {
   std::vector<EmittedFunction> functions = emitted_functions();
   functions.push_back(printed_88());
@@ -97,7 +96,7 @@ std::string without_documentation(std::string text) {
   return text;
 }
 
-/// What the scripts say of an outcome, as `words_for` has it.
+/// Returns the words of the scripts for each outcome, from `words_for`.
 std::string outcome_words() {
   using namespace rederive::numerics;
   return "const outcomeWords = " +

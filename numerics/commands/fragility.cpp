@@ -50,7 +50,7 @@ struct Fragility {
   double share(int count) const { return static_cast<double>(count) / static_cast<double>(records.size()); }
 };
 
-/// The files of a folder by name, but for hidden ones.
+/// Returns the files of a folder in the order of their names, without hidden ones.
 std::vector<std::string> files_in(const std::string& folder) {
   std::error_code error;
   std::vector<std::string> files;
@@ -168,7 +168,7 @@ void print_table(const Fragility& all) {
   }
 }
 
-/// For gnuplot's enhanced text.
+/// Returns a text as gnuplot's enhanced text.
 std::string plain(const std::string& text) {
   std::string result;
   for (const char c : text)

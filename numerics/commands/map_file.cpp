@@ -76,7 +76,7 @@ Handle create_axis(hid_t file, const char* name, const std::vector<double>& valu
   return axis;
 }
 
-/// Fills an empty file with the map, its axes, and what it was computed from.
+/// Fills an empty file with the map, its axes, and the settings from which it was computed.
 void fill(hid_t file, const Attributes& attributes, const OutcomeMap& map) {
   for (const auto& [name, value] : attributes) write_attribute(file, name, value);
   const Handle x = create_axis(file, "omega_ratio", map.omega_ratios, "frequency of the pulse omega_p/p"),

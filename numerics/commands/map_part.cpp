@@ -37,7 +37,7 @@ std::uint32_t crc_of(const void* data, std::size_t size, std::uint32_t before = 
   return static_cast<std::uint32_t>(::crc32_z(before, static_cast<const Bytef*>(data), size));
 }
 
-/// Writes all bytes at a place. Returns 0, or what went wrong.
+/// Writes all bytes at a place. Returns 0, or the number of the error.
 int write_at(int descriptor, std::string_view bytes, std::size_t at) {
   while (!bytes.empty()) {
     const ssize_t count = ::pwrite(descriptor, bytes.data(), bytes.size(), static_cast<off_t>(at));
@@ -53,7 +53,7 @@ std::string text_of(const nlohmann::ordered_json& value) {
   return value.is_string() ? value.get<std::string>() : value.dump();
 }
 
-/// What is unlike in two maps; empty if nothing is.
+/// Returns a setting in which two maps differ, in words; "" if they agree.
 std::string difference(const nlohmann::ordered_json& there, const nlohmann::ordered_json& here) {
   for (const auto& [name, value] : here.items()) {
     const auto found = there.find(name);
@@ -96,7 +96,7 @@ void MapPart::refuse(const std::string& why) const {
   throw BadInput(fmt::format("cannot write '{}': {}", printable_name(target_), why));
 }
 
-/// The file is this user's, has no other name, and no other run has it.
+/// Checks that the file belongs to this user, has no other name, and is not used by another run.
 void MapPart::check_owner() const {
   struct stat opened {
   }, named{};
@@ -110,7 +110,7 @@ void MapPart::check_owner() const {
     refuse(fmt::format("'{}' is in use by another run", name));
 }
 
-/// Takes the room for all columns, which hold zeros, then writes the head.
+/// Reserves the space for all columns, which hold zeros, then writes the head.
 void MapPart::begin(const std::string& head) {
   const Uninterrupted whole;
   struct stat old {};
@@ -127,7 +127,8 @@ void MapPart::check_head(const nlohmann::ordered_json& about) const {
   const std::string
       name = printable_name(file_),
       damaged = fmt::format(
-          "'{}' is no map that a run of this program left, or it is damaged: remove it to begin anew", name);
+          "'{}' is not a map that a run of this program left, or it is damaged: remove it to begin anew",
+          name);
   const std::string start = read(0, file_mark.size() + sizes_in_head);
   if (start.size() < file_mark.size() + sizes_in_head || !start.starts_with(file_mark)) refuse(damaged);
   const auto size = value_in<std::uint64_t>(start, file_mark.size());
@@ -142,7 +143,7 @@ void MapPart::check_head(const nlohmann::ordered_json& about) const {
                        unlike.empty() ? "by another version" : unlike));
 }
 
-/// Returns the bytes from a place on; fewer where the file ends.
+/// Returns the bytes from a place on; fewer at the end of the file.
 std::string MapPart::read(std::size_t from, std::size_t size) const {
   std::string bytes(size, '\0');
   std::size_t used = 0;

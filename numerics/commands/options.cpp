@@ -14,7 +14,7 @@ using namespace program;
 
 namespace {
 
-/// An option that chooses by name.
+/// An option whose value is one of several names.
 template <class Option>
 void add_choice(CLI::App& app, const char* name, Option& option, const std::map<std::string, Option>& choices,
                 const char* what) {
@@ -24,7 +24,8 @@ void add_choice(CLI::App& app, const char* name, Option& option, const std::map<
       ->type_name("NAME");
 }
 
-/// What a function makes of values; if it refuses them, the refusal names the options that they come from.
+/// Returns what a function computes from values. If it refuses them, the error names the options from which
+/// they come.
 template <class Function>
 auto refused_by(const char* options, const Function& make) {
   try {

@@ -17,10 +17,10 @@ namespace rederive::numerics::commands {
 using namespace program;
 namespace {
 
-/// What a letter to rank 0 says: its first character.
+/// The first character of a message to rank 0 says what the message is.
 enum Kind : char { wants = 'w', brings = 'b', leaves = 'l', refuses = 'r', fails = 'f' };
 
-/// Leaves the command on a rank that has no more to do.
+/// Thrown to end the command on a rank that has nothing more to do.
 struct NoMoreToDo {};
 
 struct Crew {
@@ -46,7 +46,7 @@ int index_in(const std::string& text, std::size_t at) {
   return index;
 }
 
-/// Answers one letter, if there is one: with the next index, after it took a result in.
+/// Answers one message, if there is one, with the next index, after it stored the result in the message.
 bool answer(const std::function<int()>& next,
             const std::function<void(int, const std::vector<char>&)>& take) {
   const auto letter = crew().ranks->receive();
@@ -76,7 +76,7 @@ void answer_or_rest(const std::function<int()>& next,
   if (!answer(next, take)) std::this_thread::sleep_for(std::chrono::microseconds(50));
 }
 
-/// On rank 0: its own threads and the other ranks take one index after the other, until all others have
+/// Runs on rank 0: its own threads and the other ranks take one index after the other, until all others have
 /// ended.
 void deal(const Work& work, const Task<char>& task) {
   std::mutex mutex;
@@ -123,7 +123,7 @@ void deal(const Work& work, const Task<char>& task) {
   if (crew().complaint) std::rethrow_exception(std::exchange(crew().complaint, nullptr));
 }
 
-/// On another rank: each thread asks for an index, and brings its result with the next question.
+/// Runs on another rank: each thread asks for an index, and sends its result with the next request.
 void labour(const Work& work, const Task<char>& task) {
   std::mutex mutex;
   std::atomic<bool> failed{false};

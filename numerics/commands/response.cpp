@@ -122,7 +122,7 @@ Plot history_plot(const Told& told, const std::string& caption) {
   return figure;
 }
 
-/// The workbench, opened at this case: its scripts read it as options of this command.
+/// Returns the page of the workbench at this case: its scripts read the case as options of this command.
 std::string page_of(const ResponseCommand& options, const Block& block) {
   const auto part = [](const char* name) {
     if (auto text = read_if_there(data_folder() / name)) return *std::move(text);

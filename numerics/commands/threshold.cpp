@@ -22,14 +22,14 @@ struct ThresholdOptions {
   bool least = false;
 };
 
-/// As text of that many digits, all of them right.
+/// Returns a number as text with that many digits, all of them right.
 std::string certain_text(const Ball& number, int digits) {
   if (const auto text = number.digits(digits)) return *text;
   throw std::runtime_error(fmt::format("{} digits of {} cannot be made certain: ask for fewer --digits",
                                        digits, number.to_double()));
 }
 
-/// A number to `digits` digits as text, or as it is if none are asked for.
+/// Returns a number with `digits` digits as text, or as it is if no digits are asked for.
 Json number_json(double value, const Ball& exact, int digits) {
   return digits == 0 ? Json(value) : Json(certain_text(exact, digits));
 }
@@ -53,8 +53,8 @@ struct Answer {
   double narrowest = 0;  ///< windows narrower than this may be missing
 };
 
-/// Where the edge of a window is a root of a closed form, as many digits as are asked for; else those that
-/// are sure to be right.
+/// Returns as many digits as are asked for if the edge of a window is a root of a closed form; otherwise the
+/// digits that are certainly right.
 std::string edge_text(const Answer& answer, double edge, int code, bool lower) {
   const bool linear = answer.asked.model == Model::linear;
   if (answer.digits == 0) return fmt::format("{:.{}g}", edge, linear ? 15 : 12);

@@ -220,7 +220,8 @@ std::vector<std::vector<int>> PulseBatch::codes(const std::vector<double>& omega
 
 namespace {
 
-/// What `follow` makes of some of the amplitudes at a time, shared among threads if there are many.
+/// Returns what `follow` returns for some of the amplitudes at a time, shared among threads if there are
+/// many.
 template <class Follow>
 std::vector<Outcome> shared_outcomes(const std::vector<double>& amplitudes, int threads,
                                      const Follow& follow) {

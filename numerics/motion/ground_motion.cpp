@@ -12,7 +12,7 @@ namespace {
 
 constexpr Real pi = std::numbers::pi_v<Real>;
 
-/// Whether low <= centre + 2 pi k <= high for some whole k.
+/// Returns whether low <= centre + 2 pi k <= high for some whole k.
 bool holds_phase(Real low, Real high, Real centre) {
   return std::ceil((low - centre) / (2 * pi)) <= std::floor((high - centre) / (2 * pi));
 }

@@ -18,8 +18,8 @@
 
 namespace rederive::numerics {
 
-/// x^(1/n) or up to 7 percent more, by a logarithm that is linear between powers of two: the same on any
-/// machine.
+/// Returns x^(1/n) or up to 7 percent more, by a logarithm that is linear between powers of two. The result
+/// is the same on any machine.
 template <class V>
 V rough_root(V x, int n) {
   using Bits = std::experimental::rebind_simd_t<std::uint64_t, V>;
@@ -210,7 +210,7 @@ class LanePack {
                                             : End::How::unclear);
   }
 
-  /// No acceleration outwards exceeds this, as far as theta.
+  /// Returns a bound of the acceleration outwards, as far as theta.
   V outward(V theta) const { return amplitude_ + max(V(0), theta - block_.alpha); }
 
   /// Whether y with y'' <= 2 fall over a time of 1 certainly stays above 0 between these values: if not,
@@ -220,14 +220,16 @@ class LanePack {
     return y1 + y2 + 2 * least >= fall && least >= 0;
   }
 
-  /// Whether the block certainly does not come to upright: see first_zero, on either half of the step.
+  /// Returns whether the block certainly does not come to upright; see first_zero, on either half of the
+  /// step.
   Mask stays_above(V after) const {
     const V before = motion_.theta[0], middle = emitted::value_at(motion_.theta, V(0.5) * h_);
     const V fall = V(0.125) * h_ * h_ * outward(max(before, after));
     return stays_positive(before, middle, fall) && stays_positive(middle, after, fall);
   }
 
-  /// Whether it certainly does not come to lie: no acceleration inwards exceeds that of ground and weight.
+  /// Returns whether the block certainly does not come to lie: no acceleration inwards exceeds the one that
+  /// the ground and the weight cause.
   Mask stays_low(V after) const {
     if (!is_nonlinear) return Mask(true);
     const V fall = V(0.5) * h_ * h_ * (amplitude_ + weight_);

@@ -46,7 +46,7 @@ Point state_at(const std::vector<Step<size>>& steps, Real scale, Real time) {
   return {time, theta == 0 ? 0 : theta / scale, thetadot == 0 ? 0 : thetadot / scale};  // not -0
 }
 
-/// When the block lies, on a step that ends after `length` beyond theta = pi/2.
+/// Returns the time at which the block lies, on a step that ends after `length` beyond theta = pi/2.
 template <std::size_t size>
 Real time_of_lying(const Step<size>& step, Real length) {
   LongLane room[size], y, v;
@@ -90,7 +90,7 @@ std::optional<Arc> arc_from(const KernelBlock<T>& block, const KernelStart<T>& s
   return arc;
 }
 
-/// How long the ground goes on to push a block that starts from rest.
+/// Returns how long the ground continues to push a block that starts from rest.
 Real length_of_push(const std::vector<Push>& all, int side, Real time) {
   for (const Push& push : all)
     if (push.side == side && push.from <= time && time < push.to) return push.to - time;

@@ -12,8 +12,8 @@ inline double kernel_scale(const Block& block, Model model) {
   return model == Model::linear ? 1 : block.alpha;
 }
 
-/// Whether the kernel takes the ground motion of the piece as a straight line. It takes everything else as a
-/// pulse, ground at rest as one of amplitude 0.
+/// Returns whether the kernel takes the ground motion of the piece as a straight line. It takes everything
+/// else as a pulse, ground at rest as a pulse of amplitude 0.
 inline bool is_line(const Piece& piece) { return piece.value != 0 || piece.slope != 0; }
 
 /// Returns the start of a motion from the state `at` on `side` in the piece, under the ground there; `scale`

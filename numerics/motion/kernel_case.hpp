@@ -16,7 +16,7 @@ struct KernelBlock {
   int most_steps = 10'000;  ///< after which a motion is unclear
 };
 
-/// Where a motion starts on one smooth piece of ground motion, on the side theta > 0: a motion on the other
+/// The start of a motion on one smooth piece of ground motion, on the side theta > 0: a motion on the other
 /// side is mirrored with its ground.
 template <class T>
 struct KernelStart {
@@ -31,7 +31,7 @@ struct KernelStart {
   int impacts = 0;  ///< before the start
 };
 
-/// Where a motion ends, on the side theta > 0 of the last impact.
+/// The end of a motion, on the side theta > 0 of the last impact.
 template <class T>
 struct KernelEnd {
   enum class How {

@@ -10,7 +10,8 @@
 
 namespace rederive::numerics {
 
-/// How far the free motion behind the ground motion is from each way of overturning; positive: it overturns.
+/// The distances of the free motion after the ground motion from each way of overturning; positive: it
+/// overturns.
 struct Margins {
   Real outward;    ///< without a further impact: velocity above that which just reaches theta = alpha, (68),
                    ///< (75)
@@ -23,7 +24,7 @@ struct Margins {
 /// more impact decides.
 Margins free_motion_margins(const Block& block, Model model, int side, const Point& at);
 
-/// What becomes of the block. The code is side*(impacts+1), or 0 = safe; impacts are counted since the block
+/// The outcome of a motion. The code is side*(impacts+1), or 0 = safe; impacts are counted since the block
 /// last left rest.
 struct Outcome {
   int code = 0;
@@ -55,8 +56,8 @@ struct FreeMotion {
 Outcome outcome_of_free_motion(const Block& block, Model model, const FreeMotion<Real>& from);
 Outcome outcome_of_free_motion(const Block& block, Model model, const FreeMotion<double>& from);
 
-/// How the words for an overturning name its side: "theta < 0" and "theta > 0", or "the left" and "the
-/// right".
+/// The names of the sides in the words for an overturning: "theta < 0" and "theta > 0", or "the left" and
+/// "the right".
 enum class SideNames { signs, directions };
 
 /// Returns the words for a code side*(impacts+1): "safe", "overturns to theta < 0 after one impact".

@@ -71,7 +71,7 @@ Point linear_point(const Arc& arc, Real time) {
                                                                   phase, angle, velocity, since));
 }
 
-/// First h >= 0 with -y + u h + m h^2 / 2 = 0 for y >= 0, m >= 0: the earliest return to upright.
+/// Returns the first h >= 0 with -y + u h + m h^2 / 2 = 0 for y >= 0, m >= 0: the earliest return to upright.
 Real earliest_return(Real y, Real u, Real m) {
   if (m <= 0) return u > 0 ? y / u : infinity;
   const Real root = std::sqrt(u * u + 2 * m * y);
@@ -89,7 +89,7 @@ RockingIntegrator::RockingIntegrator(const Block& block, double tolerance)
   if (!step_ || !control_ || !evolve_) throw std::bad_alloc();
 }
 
-/// By secants, one end held back where the other does not move (the Illinois rule).
+/// Searches by secants, with one end held back where the other does not move (the Illinois rule).
 Point RockingIntegrator::turning_point(const gsl_odeiv2_system& system, const Point& from, Real to,
                                        Real velocity) {
   double low = 0, high = static_cast<double>(to - from.time), at_low = static_cast<double>(from.velocity),
@@ -164,7 +164,7 @@ Mover::Mover(const Block& block, Model model, double tolerance)
 
 Mover::Mover(Advance advance) : Mover(Block{}, Model::linear) { advance_ = std::move(advance); }
 
-/// No acceleration towards upright exceeds this on the arc between two times.
+/// Returns a bound of the acceleration towards upright on the arc between two times.
 Real Mover::bound(const Arc& arc, Real from, Real to) const {
   const Range range = ground_range(arc.piece, from, to);
   const Real push = arc.side < 0 ? range.low : -range.high;  // > 0: away from upright
@@ -204,9 +204,9 @@ Real Mover::certain_time(const Arc& arc, const Point& at, Real until) const {
   return time;
 }
 
-/// Whether the block moves towards upright, and on beyond it, until `to` at half its speed at least: no
-/// acceleration away from upright exceeds that at the start, which falls with |theta| as far as theta =
-/// alpha; beyond it is that of the weight and of the ground at the lever R.
+/// Returns whether the block moves towards upright, and on beyond it, until `to` at half its speed at least.
+/// Until theta = alpha, no acceleration away from upright exceeds the one at the start, which falls with
+/// |theta|; beyond, none exceeds the one that the weight and the ground cause at the lever R.
 bool Mover::falls(const Arc& arc, const Point& at, Real to) const {
   const Range range = ground_range(arc.piece, at.time, to);
   const Real push = std::max<Real>(0, arc.side < 0 ? range.high : -range.low);

@@ -29,7 +29,8 @@ class RockingIntegrator {
   struct Release {
     void operator()(auto* object) const { release(object); }
   };
-  /// Where the velocity vanishes between `from` and the time `to`, at which it is `velocity`.
+  /// Returns the point at which the velocity vanishes between `from` and the time `to`, at which it is
+  /// `velocity`.
   Point turning_point(const gsl_odeiv2_system& system, const Point& from, Real to, Real velocity);
 
   Block block_;

@@ -30,7 +30,7 @@ struct Event {
   Real time, angle, velocity_before, velocity_after;
 };
 
-/// What happened between tau = 0 and `end.time`.
+/// The motion between tau = 0 and `end.time`.
 struct Response {
   Point end;
   int side = 0;               ///< 0: at rest

@@ -36,7 +36,7 @@ HistoryCurve history(const Shown& shown) {
   return curve;
 }
 
-/// The edge of the first window with this code, linear or nonlinear, in units of alpha g.
+/// Returns the edge of the first window with this code, linear or nonlinear, in units of alpha g.
 double least_with_code(Model model, double omega_ratio, std::optional<double> restitution, int code,
                        Engine engine = Engine::taylor) {
   PulseCase asked;
@@ -49,7 +49,7 @@ double least_with_code(Model model, double omega_ratio, std::optional<double> re
   throw std::runtime_error(fmt::format("no window of code {} at omega_p/p = {}", code, omega_ratio));
 }
 
-/// A pair just below and above the linear threshold.
+/// Returns a pair of amplitudes just below and above the linear threshold.
 std::vector<Shown> linear_pair(double omega_ratio, int code) {
   const double edge = least_with_code(Model::linear, omega_ratio, {}, code);
   const auto shown = [&](double amplitude, const char* outcome, int dash) {
@@ -64,12 +64,12 @@ std::vector<Shown> linear_pair(double omega_ratio, int code) {
   return {shown(edge * (1 - 1e-5), "safe", 1), shown(edge * (1 + 1e-5), "overturns", 2)};
 }
 
-/// g tan(alpha) in units of alpha g.
+/// Returns g tan(alpha) in units of alpha g.
 double start_in_alpha_g() {
   return static_cast<double>(start_level(make_block(0.25, 2.14), Model::nonlinear));
 }
 
-/// The printed pair, read as nonlinear and in units of g tan(alpha).
+/// Returns the printed pair, read as nonlinear and in units of g tan(alpha).
 std::vector<Shown> printed_pair(double omega_ratio, double below, double above,
                                 std::optional<double> restitution) {
   const auto shown = [&](double amplitude, const char* outcome, int dash) {

@@ -34,7 +34,7 @@ bool belongs(const Case& shown, const ClosedForm& root) {
   return root.form == shown.form;
 }
 
-/// a_p/g against T_ex in s, with alpha = 0.25 and p = 2.14 1/s.
+/// Returns the curve of a_p/g against T_ex in s, with alpha = 0.25 and p = 2.14 1/s.
 Curve period_curve(const Case& shown, Work work) {
   constexpr int count = 120;
   const Block block = make_block(0.25, 2.14);
@@ -81,8 +81,8 @@ Curve code_curve(char ground, double ground_acceleration, double damping, int da
   return curve;
 }
 
-/// The largest a_g/g for which no point of the curves lies below the elastic spectrum, which is proportional
-/// to a_g.
+/// Returns the largest a_g/g for which no point of the curves lies below the elastic spectrum, which is
+/// proportional to a_g.
 double largest_ground_acceleration(const std::vector<Curve>& curves, char ground, double damping) {
   double least = std::numeric_limits<double>::infinity();
   for (const Curve& curve : curves)

@@ -31,7 +31,7 @@ PulseCase paper_case(Pulse pulse, double theta_0, double thetadot_0) {
   return asked;
 }
 
-/// The roots of the closed forms at each frequency.
+/// Returns the roots of the closed forms at each frequency.
 std::vector<std::vector<ClosedForm>> roots_at(const PulseCase& asked, const std::vector<double>& ratios,
                                               Work work, const std::vector<Form>& wanted = {}) {
   std::vector<std::vector<ClosedForm>> roots(ratios.size());
@@ -46,7 +46,7 @@ std::vector<std::vector<ClosedForm>> roots_at(const PulseCase& asked, const std:
 
 using Chosen = std::function<bool(const ClosedForm&)>;
 
-/// The n-th root (from the smallest amplitude) that is `chosen`, at each frequency.
+/// Returns the n-th root, from the smallest amplitude, among those that are `chosen`, at each frequency.
 Curve curve_of(std::string title, const std::vector<double>& ratios,
                const std::vector<std::vector<ClosedForm>>& roots, const Chosen& chosen, std::size_t n = 0) {
   Curve curve;
@@ -80,7 +80,7 @@ Chosen rejected(Form form, Objection::Kind why) {
       [=](const ClosedForm& root) { return root.form == form && root.why_not && root.why_not->kind == why; };
 }
 
-/// Simulated least amplitudes, to lie on the curves.
+/// Returns simulated least amplitudes, which must lie on the curves.
 Curve simulated(const PulseCase& asked, const std::vector<double>& ratios, const Work& work,
                 std::string title) {
   WindowSearch search;
@@ -109,7 +109,7 @@ Curve curve_of(const std::vector<SpectrumPoint>& points, std::optional<double> S
   return curve;
 }
 
-/// What the diagram gives where section 4 reads a_p = alpha g and 2 alpha g off it.
+/// Returns what the diagram gives where section 4 reads a_p = alpha g and 2 alpha g from it.
 std::string least_of(PulseCase asked) {
   asked.omega_ratio = 1;
   const double at_one = spectrum_point(asked).minimum.value_or(0);

@@ -16,7 +16,8 @@ namespace rederive::numerics {
 using namespace program;
 namespace {
 
-/// A file that has no name and goes with this object; behind 0, 1 and 2, which a child has for itself.
+/// A file without a name that exists as long as this object. Its descriptor is larger than 2: a child process
+/// uses 0, 1 and 2 itself.
 struct Unnamed {
   std::FILE* file = std::tmpfile();
   int descriptor = file == nullptr ? -1 : ::fcntl(::fileno(file), F_DUPFD, 3);
@@ -33,7 +34,7 @@ struct Unnamed {
   }
 };
 
-/// Returns all that comes out of a stream. Throws BadInput if it cannot be read to its end.
+/// Returns all that a stream contains. Throws BadInput if it cannot be read to its end.
 std::string all_of(std::FILE* file) {
   std::string text;
   char buffer[65536];

@@ -20,7 +20,7 @@ struct Curve {
   double width = 2;
 };
 
-/// One pair of axes. An empty range (low == high) is left to gnuplot.
+/// A pair of axes. gnuplot chooses an empty range (low == high).
 struct Panel {
   std::string title, x_label, y_label;
   std::vector<Curve> curves;

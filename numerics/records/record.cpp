@@ -18,14 +18,15 @@ namespace {
 
 using Lines = std::vector<std::string>;
 
-/// What a file holds, in its own unit, before anything is made of it.
+/// The samples of a file, in the unit of the file.
 struct Samples {
   std::vector<double> time, value;  ///< a value that is missing is NaN
   std::vector<std::size_t> line;    ///< from 1, of each value
 };
 
-/// Whether a value is one that programs write for none: only nines, -999 or 999.99, or SAC's -12345. Two
-/// nines before the point are enough where the unit is so large that no ground has moved so.
+/// Returns whether a value is one that programs write for a missing value: only nines, -999 or 999.99, or
+/// SAC's -12345. Two nines before the point are enough if the unit is so large that no ground has moved so
+/// much.
 bool looks_like_filling(double value, bool is_large_unit) {
   const double size = std::abs(value);
   const auto is = [&](double filling) { return std::abs(size - filling) <= 1e-7 * filling; };
@@ -36,7 +37,7 @@ bool looks_like_filling(double value, bool is_large_unit) {
   return false;
 }
 
-/// Refuses values that stand for none, or takes them for missing.
+/// Refuses values that mean a missing value, or treats them as missing.
 void check_filling(Samples& samples, const RecordOptions& options, bool is_large_unit,
                    const std::string& file) {
   for (std::size_t i = 0; i < samples.value.size(); ++i) {
@@ -52,7 +53,7 @@ void check_filling(Samples& samples, const RecordOptions& options, bool is_large
   }
 }
 
-/// Leaves out what is missing, so that the record is linear over it.
+/// Removes missing samples, so that the record is linear over the gap.
 void leave_out_missing(Samples& samples, const std::string& file) {
   const auto is_missing = [](double value) { return std::isnan(value); };
   if (std::ranges::none_of(samples.value, is_missing)) return;
@@ -70,7 +71,7 @@ void leave_out_missing(Samples& samples, const std::string& file) {
   samples.value.resize(kept);
 }
 
-/// Refuses times between which samples are missing: steps that are not the usual one.
+/// Refuses times between which samples are missing: steps that differ from the usual one.
 void check_steps(const Samples& samples, const std::string& file) {
   if (samples.time.size() < 4) return;
   std::vector<double> steps(samples.time.size());
@@ -88,7 +89,8 @@ void check_steps(const Samples& samples, const std::string& file) {
                       samples.time[i], samples.time[i + 1], *middle));
 }
 
-/// Where all lines before have whole columns, the last one has: else the file was cut off inside a number.
+/// Checks that the last line has whole columns if all lines before it have them. Otherwise the file was cut
+/// off inside a number.
 void check_last_line(const RecordHeader& header, const Lines& lines, const NumberStyle& style) {
   const auto is_whole = [&](const std::string& line) { return has_columns(line, style); };
   const auto first = lines.begin() + static_cast<std::ptrdiff_t>(header.first);
@@ -102,7 +104,7 @@ void check_last_line(const RecordHeader& header, const Lines& lines, const Numbe
          fmt::format("the line ends inside a column of {} characters: the file is cut off", header.width));
 }
 
-/// Cuts off the lines from that with the end mark on, behind which there must be nothing.
+/// Removes the lines from the end mark on. Nothing may follow the end mark.
 void cut_at_end_mark(const RecordHeader& header, Lines& lines, const std::string& file) {
   if (header.end_mark.empty()) return;
   const auto end = std::find_if(lines.begin() + static_cast<std::ptrdiff_t>(header.first), lines.end(),
@@ -140,7 +142,7 @@ Samples headed_samples(const RecordHeader& header, Lines& lines, const RecordOpt
   return samples;
 }
 
-/// The numbers of each line that is no comment, with the lines' numbers.
+/// The numbers of each line that is not a comment, and the number of that line.
 struct Rows {
   std::vector<std::vector<double>> numbers;
   std::vector<std::size_t> line;
@@ -166,10 +168,10 @@ Rows rows_of(const Lines& lines, const RecordOptions& options, const std::string
   return rows;
 }
 
-/// "1 value", "2 values".
+/// Returns "1 value", "2 values" and so on.
 std::string values(std::size_t count) { return fmt::format("{} value{}", count, count == 1 ? "" : "s"); }
 
-/// Two columns, time and value.
+/// Reads two columns, time and value.
 Samples columns_of(const Rows& rows, const std::string& file) {
   Samples samples;
   for (std::size_t i = 0; i < rows.numbers.size(); ++i) {
@@ -189,8 +191,8 @@ Samples columns_of(const Rows& rows, const std::string& file) {
   return samples;
 }
 
-/// Whether the first of several columns rises as times and numbers of samples do: always, where there are two
-/// columns or many lines, evenly else.
+/// Returns whether the first of several columns rises as times and numbers of samples do: in any way if there
+/// are two columns or many lines, otherwise evenly.
 bool begins_with_times(const Rows& rows) {
   constexpr std::size_t many = 5;
   const auto& numbers = rows.numbers;
@@ -205,7 +207,7 @@ bool begins_with_times(const Rows& rows) {
   return true;
 }
 
-/// Values at a step, as many on each line, but for the last, which may have fewer.
+/// Reads values at a fixed step. All lines have the same number of values; only the last line may have fewer.
 Samples values_at_step(const Rows& rows, double step, const std::string& file) {
   if (begins_with_times(rows))
     refuse(file, rows.line.front(),
@@ -226,7 +228,7 @@ Samples values_at_step(const Rows& rows, double step, const std::string& file) {
   return samples;
 }
 
-/// The unit that was asked for; where none was, g, unless no ground has moved so.
+/// Returns the unit that was asked for; if none was, g, unless no ground has moved so much.
 RecordUnit unit_of(const Samples& samples, const RecordOptions& options, const std::string& file) {
   constexpr double most = 10;  // three times what has been recorded
   if (options.unit) return *options.unit;
@@ -238,7 +240,7 @@ RecordUnit unit_of(const Samples& samples, const RecordOptions& options, const s
   return RecordUnit::g;
 }
 
-/// How many of the unit make 1 g.
+/// Returns how many of the unit make 1 g.
 double units_in_g(RecordUnit unit) {
   if (unit == RecordUnit::g) return 1;
   return unit == RecordUnit::gal ? 100 * standard_gravity : standard_gravity;

@@ -19,10 +19,10 @@ namespace rederive::numerics {
 /// megabytes or a million lines, is compressed or in UTF-32, or continues after a Ctrl-Z.
 std::vector<std::string> lines_of_record(const std::string& file);
 
-/// What a comma between two digits is in a file.
+/// The meaning of a comma between two digits of a file.
 enum class Comma { separator, decimal_point };
 
-/// How the numbers of a file are read.
+/// The way in which the numbers of a file are written.
 struct NumberStyle {
   std::string file = {};  ///< to name in messages
   Comma comma = Comma::separator;
@@ -50,7 +50,7 @@ bool has_columns(const std::string& line, const NumberStyle& style);
 /// Returns whether a line of columns has no numbers, because it is blank or begins with # or %.
 bool is_comment(const std::string& line);
 
-/// What the header of a file says about the values behind it.
+/// The facts in the header of a file about the values after it.
 struct RecordHeader {
   std::size_t first = 0;      ///< index of the first line of values
   std::size_t width = 0;      ///< characters of a value where values may run together, or 0

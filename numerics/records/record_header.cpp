@@ -17,7 +17,7 @@ constexpr const char* step_names = "(?:DT|TSTEP|TIME STEP|DELTA ?T)";
 
 std::regex in_words(const std::string& pattern) { return std::regex("\\b" + pattern); }
 
-/// Whether a line gives a number of points and a time step, by name.
+/// Returns whether a line names a number of points and a time step.
 bool has_count_and_step(const std::string& line) {
   static const std::regex count = in_words(std::string(count_names) + "\\b"),
                           step = in_words(std::string(step_names) + "\\b");
@@ -25,7 +25,7 @@ bool has_count_and_step(const std::string& line) {
   return std::regex_search(text, count) && std::regex_search(text, step);
 }
 
-/// "4000, .0050 NPTS, DT" and the other way round: the texts of count and step.
+/// Returns the texts of count and step in "4000, .0050 NPTS, DT", in either order.
 std::optional<std::pair<std::string, std::string>> numbers_before_names(const std::string& text) {
   static const std::regex both(R"(^\s*([^\s,]+)[\s,]+([^\s,]+)[\s,]+)" + std::string("(") + count_names +
                                R"(|)" + step_names + R"()\b)"),
@@ -37,7 +37,7 @@ std::optional<std::pair<std::string, std::string>> numbers_before_names(const st
   return std::pair(found[count_first ? 1 : 2].str(), found[count_first ? 2 : 1].str());
 }
 
-/// The line "NPTS= 4000, DT= .0050 SEC", in this or another spelling, into the header.
+/// Reads the line "NPTS= 4000, DT= .0050 SEC", in this or another spelling, into the header.
 void read_count_and_step(const std::string& line, const std::string& file, std::size_t number,
                          RecordHeader& header) {
   const std::string sign = R"(\s*(?:[=:]\s*|\s(?=[\d.])))", value = R"(([^\s,;]+(?:,\d+)*))";
@@ -62,7 +62,7 @@ void read_count_and_step(const std::string& line, const std::string& file, std::
   checked_step(header.step, file, number);
 }
 
-/// The line "ACCELERATION TIME SERIES IN UNITS OF G": one unit of the values in g.
+/// Reads the line "ACCELERATION TIME SERIES IN UNITS OF G". Returns one unit of the values in g.
 double peer_unit(const std::string& line, const std::string& file, std::size_t number) {
   static const std::regex unit(R"(UNITS?\s*(?:OF|[:=])\s*([^\s,;]+)([^,;]*))");
   static const std::regex factor(R"(^\s*([*/]|\(?\s*X?\s*\.?[0-9])|SCALE|FACTOR|TIMES)");
@@ -78,7 +78,8 @@ double peer_unit(const std::string& line, const std::string& file, std::size_t n
   return to_g;
 }
 
-/// PEER AT2: three lines, the last of which names quantity and unit, and a line with count and step.
+/// Reads the header of PEER AT2: three lines, the last of which names quantity and unit, and a line with
+/// count and step.
 std::optional<RecordHeader> peer_header(const Lines& lines, const std::string& file) {
   constexpr std::size_t most = 8;
   std::size_t numbers = 0, unit = 0;
@@ -100,8 +101,8 @@ std::optional<RecordHeader> peer_header(const Lines& lines, const std::string& f
   return header;
 }
 
-/// K-NET and KiK-net: labels of 18 characters; the values are counts, and Scale Factor times a count is in
-/// gal.
+/// Reads the header of K-NET and KiK-net: labels of 18 characters. The values are counts; Scale Factor times
+/// a count is the acceleration in gal.
 RecordHeader knet_header(const Lines& lines, const std::string& file) {
   std::map<std::string, std::pair<std::string, std::size_t>> said;  // label → value, line
   RecordHeader header;
@@ -135,7 +136,7 @@ RecordHeader knet_header(const Lines& lines, const std::string& file) {
   return header;
 }
 
-/// ESM: "KEY: value" lines, then one value a line.
+/// Reads the header of ESM: lines "KEY: value", then one value per line.
 RecordHeader esm_header(const Lines& lines, const std::string& file) {
   static const std::regex entry(R"(([A-Z][A-Z0-9_/^]*):\s*(.*?)\s*)");
   std::map<std::string, std::pair<std::string, std::size_t>> said;

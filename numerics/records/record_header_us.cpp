@@ -10,7 +10,7 @@ namespace {
 
 using Lines = std::vector<std::string>;
 
-/// The n-th number, from 1, of a block of lines with `columns` numbers of `width` characters each.
+/// Returns the n-th number, from 1, of a block of lines with `columns` numbers of `width` characters each.
 std::string cell_of_block(const Lines& lines, std::size_t first, std::size_t columns, std::size_t width,
                           std::size_t n) {
   const std::string& line = lines.at(first + (n - 1) / columns);
@@ -22,8 +22,8 @@ std::string cell_of_block(const Lines& lines, std::size_t first, std::size_t col
 
 }  // namespace
 
-/// Eleven lines of text, 48 whole numbers in 8I10, 50 numbers in 5E15.7, comments; values in cm/s^2, eight in
-/// columns of 10 on a line (USGS, National Strong-Motion Program, "SMC format").
+/// Reads the SMC format: eleven lines of text, 48 whole numbers in 8I10, 50 numbers in 5E15.7, comments;
+/// values in cm/s^2, eight in columns of 10 on a line (USGS, National Strong-Motion Program, "SMC format").
 std::optional<RecordHeader> smc_header(const Lines& lines, const std::string& file) {
   constexpr std::size_t text_lines = 11, whole_lines = 6, real_lines = 10,
                         before_comments = text_lines + whole_lines + real_lines;
@@ -49,9 +49,9 @@ std::optional<RecordHeader> smc_header(const Lines& lines, const std::string& fi
   return header;
 }
 
-/// Blocks of text, whole numbers, real numbers and comments, each announced with its length; then a line with
-/// count, unit and format of the values, and "End-of-data". The step in milliseconds is the 62nd real number
-/// (COSMOS, Strong-Motion Data Format, version 1.20).
+/// Reads the COSMOS format: blocks of text, whole numbers, real numbers and comments, each announced with its
+/// length; then a line with count, unit and format of the values, and "End-of-data". The step in milliseconds
+/// is the 62nd real number (COSMOS, Strong-Motion Data Format, version 1.20).
 std::optional<RecordHeader> cosmos_header(const Lines& lines, const std::string& file) {
   static const std::regex reals(
       R"(^\s*(\d+)\s+REAL-HEADER VALUES FOLLOW ON\s+(\d+)\s+LINES?,\s*FORMAT\s*=?\s*\((\d+)[EFG](\d+))");

@@ -21,7 +21,7 @@ struct Scanned {
   std::string text = {};  ///< as strtod reads it
 };
 
-/// What has been read of a text.
+/// The part of a text that has been read.
 struct Scanner {
   std::string_view text;
   std::size_t at = 0;
@@ -34,7 +34,7 @@ struct Scanner {
   }
 };
 
-/// The exponent behind a mantissa as strtod reads it; empty if there is none.
+/// Returns the exponent after a mantissa as strtod reads it; "" if there is none.
 std::string exponent_at(Scanner& scanner, bool has_point) {
   const Scanner before = scanner;
   const bool has_letter =
@@ -81,7 +81,7 @@ bool is_missing(std::string_view word) {
          upper.find_first_not_of('*') == std::string::npos;
 }
 
-/// The words between separators; an empty one between two commas or semicolons.
+/// Returns the words between separators, with an empty word between two commas or semicolons.
 std::vector<std::string_view> words_in(std::string_view line, Comma comma) {
   const std::string_view marks = comma == Comma::separator ? ",;" : ";";
   std::vector<std::string_view> words;
@@ -105,7 +105,7 @@ std::vector<std::string_view> words_in(std::string_view line, Comma comma) {
   }
 }
 
-/// The cells of a line of columns; none if one of them is not exactly one number.
+/// Returns the cells of a line of columns; none if one of the cells is not exactly one number.
 std::optional<std::vector<std::string_view>> cells_of(std::string_view line, const NumberStyle& style) {
   line = line.substr(0, line.find_last_not_of(blanks) + 1);
   if (style.width == 0 || line.size() % style.width != 0) return std::nullopt;

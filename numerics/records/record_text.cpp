@@ -21,8 +21,8 @@ std::string bytes_of(const std::string& file) {
   return std::move(content.bytes);
 }
 
-/// Whether each second byte at the beginning is 0, from the first on (0) or from the second on (1): so is
-/// ASCII in UTF-16.
+/// Returns whether each second byte at the beginning is 0, from the first byte on (0) or from the second on
+/// (1), as in ASCII text in UTF-16.
 bool has_zeros(std::string_view bytes, std::size_t from) {
   const std::string_view begin = bytes.substr(0, 64);
   if (begin.size() < 8 || bytes.size() % 2 != 0) return false;
@@ -74,7 +74,7 @@ std::string decoded(std::string bytes, const std::string& file) {
   return view.starts_with("\xEF\xBB\xBF"sv) ? bytes.substr(3) : bytes;
 }
 
-/// The lines, each of which ends with LF, CR or CRs and LF.
+/// Returns the lines, each of which ends with LF, CR, or CRs and LF.
 std::vector<std::string> split(std::string_view text, const std::string& file) {
   std::vector<std::string> lines;
   while (!text.empty()) {

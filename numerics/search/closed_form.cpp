@@ -14,37 +14,38 @@ namespace rederive::numerics {
 using namespace numbers;
 namespace {
 
-/// What a form has beside its residual.
+/// The facts about a closed form beside its residual.
 struct FormFacts {
   int code;
   std::vector<std::string> equations;
 };
 
-/// Returns the facts of a form, which is the place in the table.
+/// Returns the facts about a form. The form is an index into the table.
 const FormFacts& facts_of(Form form) {
   static const std::vector<FormFacts> table{{-1, {"71"}},       {1, {"78"}},  {2, {"86", "88"}},
                                             {2, {"92a", "96"}}, {1, {"103"}}, {-1, {"104"}}};
   return table.at(static_cast<std::size_t>(form));
 }
 
-/// A pulse longer than this magnifies rounding so much that an impact's roots are sought in balls.
+/// Pulses longer than this magnify rounding errors so much that the roots with an impact are searched for in
+/// balls.
 constexpr Real long_pulse = 25;
 
-/// Bits to begin with: a pulse magnifies what is left out of a number by e^T_ex at most, once on the way to
-/// the root and once in the motion from there; and sixty digits are to be right.
+/// Returns the number of bits to begin with. A pulse magnifies a rounding error by e^T_ex at most, once on
+/// the way to the root and once in the motion from there; sixty digits must be right.
 long first_bits(Real longest) { return std::min(Ball::most_bits, 512 + static_cast<long>(2.9L * longest)); }
 
-/// What the equations depend on.
+/// The numbers on which the equations depend.
 template <class T>
 struct Inputs {
   T omega_ratio, restitution, push;
 };
 
-/// A bound of T_ex.
+/// Returns an upper bound of T_ex.
 Real longest_pulse(const Ball& omega_ratio) { return 2 * std::numbers::pi_v<Real> / omega_ratio.to_real(); }
 
-/// (86) is A sin(psi) + B cos(psi) = 0: the phase in (0, pi) for which theta = 0 at tau_i. At psi = 0 the
-/// value is B, the derivative A.
+/// Returns the phase in (0, pi) at which theta = 0 at tau_i: (86) is A sin(psi) + B cos(psi) = 0. At psi = 0
+/// the value is B and the derivative is A.
 template <class T>
 T phase_of_impact(const Inputs<T>& in, const T& tau) {
   using std::atan2;
@@ -53,7 +54,7 @@ T phase_of_impact(const Inputs<T>& in, const T& tau) {
   return psi > T(0) ? psi : psi + emitted::pi<T>();
 }
 
-/// Positive where the free motion after the pulse comes to upright so fast that e times its velocity more
+/// Is positive where the free motion after the pulse comes to upright so fast that e times its velocity more
 /// than reaches theta = alpha on the other side.
 template <class T>
 T beyond_threshold(const Inputs<T>& in, const T& psi) {
@@ -65,7 +66,8 @@ T beyond_threshold(const Inputs<T>& in, const T& psi) {
   return emitted::linear_impact_velocity_squared_negative(end.value, end.d_t) - needed * needed;
 }
 
-/// Zero at a root, positive where the block overturns. The unknown x is psi, for (86)&(88) the impact time.
+/// Returns the residual of a form, which is 0 at a root and positive where the block overturns. The unknown x
+/// is psi; for (86)&(88) it is the impact time.
 template <class T>
 T residual(Form form, const Inputs<T>& in, const T& x) {
   const T &w = in.omega_ratio, &e = in.restitution;
@@ -86,8 +88,8 @@ T residual(Form form, const Inputs<T>& in, const T& x) {
   return T(0);
 }
 
-/// Where the unknown may lie, and at how many points the residual is looked at first: eight times as many
-/// (four times without impact) found no other root in 3,000 cases at random.
+/// The range of the unknown, and the number of points at which the residual is evaluated first. Eight times
+/// as many points (four times without impact) found no other root in 3,000 random cases.
 struct Range {
   double low, high;
   int count;
@@ -101,7 +103,7 @@ Range range_of(Form form, double longest) {
   return {1e-9, pi - 1e-9, 500};
 }
 
-/// Neighbouring doubles with a root between them, by rounded values of the residual.
+/// Returns neighbouring doubles with a root between them, from rounded values of the residual.
 std::vector<Change> brackets(Form form, const Inputs<Ball>& in) {
   const Inputs<Real> rounded{in.omega_ratio.to_real(), in.restitution.to_real(), in.push.to_real()};
   const Inputs<double> coarse{in.omega_ratio.to_double(), in.restitution.to_double(), in.push.to_double()};
@@ -123,8 +125,8 @@ struct ProvenRoot {
   bool rises;  ///< the residual, with x
 };
 
-/// Secants from the ends of a bracket, until rounding hides the difference of two values; then the proof, by
-/// the intermediate value theorem.
+/// Improves a bracket by secants from its ends, until rounding hides the difference of two values; then
+/// proves it by the intermediate value theorem.
 ProvenRoot proven_root(const std::function<Ball(const Ball&)>& f, const Change& bracket, long bits) {
   Ball last(bracket.inside, bits), next(bracket.outside, bits), last_value = f(last);
   for (int i = 0; i < 100; ++i) {
@@ -156,8 +158,8 @@ ExactRoot root_at(Form form, const Inputs<Ball>& in, const Ball& x) {
   return {emitted::amplitude_of_sine_pulse(one, psi), psi, time, end};
 }
 
-/// False where the residual changes its sign and has no root: where the phase in (86) jumps from 0 to pi, and
-/// where the velocity at the impact after the pulse is not towards upright.
+/// Returns false where the residual changes its sign without a root: where the phase in (86) jumps from 0 to
+/// pi, and where the velocity at the impact after the pulse is not towards upright.
 bool is_root(Form form, const Inputs<Ball>& in, const Change& bracket) {
   const long bits = in.omega_ratio.bits();
   const Ball low(bracket.inside, bits), high(bracket.outside, bits);
@@ -167,8 +169,8 @@ bool is_root(Form form, const Inputs<Ball>& in, const Change& bracket) {
          emitted::growth_to_critical_impact(in.omega_ratio, high, in.restitution).is_positive();
 }
 
-/// Whether amplitudes just above a root overturn and those just below do not, or the other way round. The
-/// amplitude falls with psi in a sine pulse, and grows with it in a cosine pulse.
+/// Returns whether amplitudes just above a root overturn the block and those just below do not, or the other
+/// way round. The amplitude falls with psi in a sine pulse, and grows with it in a cosine pulse.
 bool overturns_above(Form form, const Inputs<Ball>& in, const ExactRoot& at, bool residual_rises) {
   if (form == Form::eq103) return residual_rises;
   if (form != Form::eq86_88) return !residual_rises;

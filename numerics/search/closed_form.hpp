@@ -22,7 +22,7 @@ int code_of(Form form);
 /// Returns the numbers of the equations that make up the form: {"86", "88"}.
 std::vector<std::string> equations_of(Form form);
 
-/// What the closed forms depend on, with all known digits: omega_p/p, e, theta_0/alpha and
+/// The numbers on which the closed forms depend, with all known digits: omega_p/p, e, theta_0/alpha and
 /// thetadot_0/(alpha p).
 struct ExactCase {
   numbers::Ball omega_ratio, restitution, angle, velocity;
@@ -37,12 +37,12 @@ struct ExactRoot {
   numbers::Ball amplitude, psi, impact_time, pulse_end;
 };
 
-/// Thrown where balls with more bits are needed for a certain answer.
+/// Thrown if a certain answer needs balls with more bits.
 struct NotCertain : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Why a root of a closed form is not a least amplitude. Times are p t.
+/// The reason for which a root of a closed form is not a least amplitude. Times are p t.
 struct Objection {
   enum class Kind {
     crest_comes_later,              ///< the phase of (103) asks for a cosine pulse that has passed its crest
@@ -75,7 +75,7 @@ ObjectionWords words_for(const Objection& objection);
 /// followed in balls. Throws NotCertain if their bits are too few.
 std::optional<Objection> objection_to(Form form, Pulse pulse, const ExactCase& exact, const ExactRoot& root);
 
-/// One root of a closed form of the linear model, as the nearest doubles and as balls. The amplitude is in
+/// A root of a closed form of the linear model, as the nearest doubles and as balls. The amplitude is in
 /// units of alpha g, psi in rad, the times are p t.
 struct ClosedForm {
   Form form;

@@ -12,7 +12,8 @@ int parts_of(const std::vector<Gap>& gaps) {
   return std::max(2, together / std::max(1, static_cast<int>(gaps.size())));
 }
 
-/// The stations beside a change of code once more, as edges are found: one next to an edge may change sides.
+/// Computes the stations beside a change of code again, in the way in which edges are found: a station next
+/// to an edge may change sides.
 void settle(const PulseCase& precise, std::vector<Station>& stations, const WindowSearch& search) {
   std::vector<bool> settled(stations.size(), precise.engine == Engine::gsl);
   for (bool changed = true; changed;) {
@@ -32,8 +33,8 @@ void settle(const PulseCase& precise, std::vector<Station>& stations, const Wind
 
 bool are_neighbours(double low, double high) { return !(std::nextafter(low, high) < high); }
 
-/// Adds the changes of code along a row of stations: to `changes` those between neighbouring numbers, and to
-/// `open` the others.
+/// Adds the changes of code along a row of stations: changes between neighbouring numbers to `changes`, all
+/// others to `open`.
 void add_changes(const std::vector<Station>& row, std::vector<Gap>& changes, std::vector<Gap>& open) {
   for (std::size_t i = 0; i + 1 < row.size(); ++i)
     if (row[i].code() != row[i + 1].code())
@@ -41,7 +42,7 @@ void add_changes(const std::vector<Station>& row, std::vector<Gap>& changes, std
           .push_back({row[i], row[i + 1]});
 }
 
-/// The changes of code in some gaps, each between neighbouring numbers.
+/// Returns the changes of code in some gaps, each between neighbouring numbers.
 std::vector<Gap> narrowed(const PulseCase& asked, std::vector<Gap> gaps, const WindowSearch& search) {
   std::vector<Gap> changes;
   while (!gaps.empty()) {
@@ -61,8 +62,8 @@ bool is_confirmed(std::size_t index, const Gap& change) {
   return index < 2 || std::max(change.low.outcome.impacts, change.high.outcome.impacts) <= most_impacts;
 }
 
-/// Stations of closed forms around some changes that the kernel found, as far as the code before the first
-/// and that after the last are confirmed, but within `least` and `most`.
+/// Returns stations of closed forms around some changes that the kernel found. They extend until the codes
+/// before the first change and after the last change are confirmed, within `least` and `most`.
 std::vector<Station> confirmed_row(const PulseCase& exact, const Gap& first, const Gap& last, double least,
                                    double most, const WindowSearch& search) {
   const double low = first.low.amplitude, high = last.high.amplitude;
@@ -76,9 +77,9 @@ std::vector<Station> confirmed_row(const PulseCase& exact, const Gap& first, con
   return row;
 }
 
-/// The changes of the linear model as closed forms have them: there, or close beside where the kernel has
-/// them. Where rounding makes the kernel change its mind several times at an edge, closed forms are asked
-/// once.
+/// Returns the changes of the linear model according to the closed forms: where the kernel has them, or close
+/// beside. Where rounding makes the kernel change the code several times at one edge, the closed forms are
+/// evaluated once.
 std::vector<Gap> confirmed(const PulseCase& asked, const std::vector<Gap>& found,
                            const WindowSearch& search) {
   constexpr double one_edge = 1 + 0x1p-44;
@@ -106,7 +107,7 @@ std::vector<Gap> confirmed(const PulseCase& asked, const std::vector<Gap>& found
 
 }  // namespace
 
-/// The changes of code, in order, each between neighbouring numbers.
+/// Returns the changes of code in order, each between neighbouring numbers.
 std::vector<Gap> changes_between(const PulseCase& asked, std::vector<Station> stations,
                                  const WindowSearch& search) {
   PulseCase precise = asked;

@@ -16,10 +16,10 @@
 namespace rederive::numerics {
 namespace {
 
-/// ln Phi(x), also where Phi(x) is less than any double.
+/// Returns ln Phi(x), also where Phi(x) is less than any double.
 double log_normal(double x) { return gsl_sf_log_erfc(-x / std::numbers::sqrt2) - std::numbers::ln2; }
 
-/// Its derivative, the density over Phi.
+/// Returns the derivative of ln Phi, the density over Phi.
 double slope_of_log_normal(double x) {
   return std::exp(-x * x / 2 - std::log(2 * std::numbers::pi) / 2 - log_normal(x));
 }
@@ -31,24 +31,24 @@ Symmetric operator+(const Symmetric& m, const Symmetric& n) {
 }
 Symmetric& operator+=(Symmetric& m, const Symmetric& n) { return m = m + n; }
 
-/// x with m x = y.
+/// Returns x with m x = y.
 std::array<double, 2> solved(const Symmetric& m, const std::array<double, 2>& y) {
   const double determinant = m.aa * m.bb - m.ab * m.ab;
   return {(m.bb * y[0] - m.ab * y[1]) / determinant, (m.aa * y[1] - m.ab * y[0]) / determinant};
 }
 
-/// z of n overturn at ln x = u.
+/// Of n records with peak u = ln x, z overturn the block.
 struct Level {
   double u;
   int z, n;
 };
 
-/// The derivative of the log likelihood of one outcome by eta = a + b u.
+/// Returns the derivative of the log likelihood of one outcome by eta = a + b u.
 double score(double eta, bool overturned) {
   return overturned ? slope_of_log_normal(eta) : -slope_of_log_normal(-eta);
 }
 
-/// Minus its second derivative: h (h + eta) is that of ln Phi, h being the first.
+/// Returns minus the second derivative: h (h + eta) belongs to ln Phi, where h is the first derivative.
 double curvature(double eta, bool overturned) {
   const double at = overturned ? eta : -eta, h = slope_of_log_normal(at);
   return h * (h + at);
@@ -79,7 +79,7 @@ void both(const gsl_vector* line, void* levels, double* value, gsl_vector* gradi
   its_gradient(line, levels, gradient);
 }
 
-/// a and b of the largest likelihood, which is concave in them.
+/// Returns a and b of the largest likelihood, whose logarithm is a concave function of both.
 std::array<double, 2> most_likely_line(std::vector<Level> levels) {
   gsl_multimin_function_fdf problem{minus_log_likelihood, its_gradient, both, 2, &levels};
   const std::unique_ptr<gsl_multimin_fdfminimizer, decltype(&gsl_multimin_fdfminimizer_free)> minimizer(
@@ -110,7 +110,7 @@ std::array<double, 2> most_likely_line(std::vector<Level> levels) {
   return line;
 }
 
-/// The covariance of a and b by the jackknife.
+/// Returns the covariance of a and b by the jackknife.
 Symmetric covariance_of(double a, double b, const std::vector<Level>& levels,
                         const std::vector<std::vector<char>>& outcomes) {
   Symmetric all;

@@ -9,7 +9,7 @@
 
 namespace rederive::numerics {
 
-/// What a record is scaled by: its largest |acceleration|, in g, or |velocity|, in m/s.
+/// The quantity by which a record is scaled: its largest |acceleration|, in g, or |velocity|, in m/s.
 enum class Peak { acceleration, velocity };
 
 /// Returns the peak of a record. Its samples are joined by straight lines, and the ground is at rest before
@@ -51,7 +51,8 @@ class LognormalCurve {
   double reach_;
 };
 
-/// Why outcomes have no curve: the likelihood has no maximum, or one that is no fragility.
+/// The reason for which outcomes have no curve: the likelihood has no maximum, or its maximum is not a
+/// fragility.
 struct NoCurve {
   enum class Kind {
     none_overturns,  ///< up to the peak `low`

@@ -11,7 +11,7 @@
 namespace rederive::numerics {
 namespace {
 
-/// Beside the outcome, how far the chain had come when the last push began.
+/// An amplitude with its outcome, and how far the chain of impacts had come when the last push began.
 struct Spot {
   Station station;
   int impacts = 0;         ///< before that push, since the last rest
@@ -70,15 +70,17 @@ class HillSearch {
     return row;
   }
 
-  /// How many hills two spots are apart at least; many where the chain of only one ends.
+  /// Returns the least number of hills between two spots; a large number if the chain of only one of them
+  /// ends.
   static int hills_between(const Spot& a, const Spot& b) {
     if (a.rests != b.rests) return 1'000'000;
     return std::abs(a.impacts - b.impacts) / 2;
   }
 
-  /// The lowest of some amplitudes below the top, the farthest `distance` away, with no more than so many
-  /// hills between; none, if the hills are narrower than `finest_`. While a chain lasts, no amplitude is more
-  /// than half-way to the lowest, where a motion without loss has impacts without number.
+  /// Returns the lowest of some amplitudes below the top, the farthest `distance` away, such that at most a
+  /// given number of hills lie between; returns none if the hills are narrower than `finest_`. While a chain
+  /// lasts, no amplitude is more than half-way to the lowest one, at which a motion without loss has
+  /// infinitely many impacts.
   std::optional<Spot> bottom_of_group(double distance, int hills) {
     if (!top_.rests) distance = std::min(distance, (top_.amplitude() - lowest_) / 2);
     for (; distance > finest_; distance /= 256) {
@@ -97,7 +99,7 @@ class HillSearch {
     return std::nullopt;
   }
 
-  /// Spots from the bottom to the top of a group, so many that each hill has some.
+  /// Returns spots from the bottom to the top of a group, so many that each hill has some.
   Spots resolved(const Spot& bottom) {
     struct Stretch {
       Spot low, high;
@@ -142,7 +144,7 @@ class HillSearch {
     return row;
   }
 
-  /// With the tops of the hills below the lowest window.
+  /// Adds the tops of the hills below the lowest window.
   Spots climbed(Spots row) {
     const double flat = 0.02 * std::min(1.0, asked_.omega_ratio);
     const auto lowest_window = std::ranges::find_if(row, is_in_window);

@@ -14,7 +14,7 @@ namespace {
 
 using Kind = Objection::Kind;
 
-/// What the phase alone forbids.
+/// Returns what the phase alone forbids.
 std::optional<Objection> wrong_start(Form form, Pulse pulse, Real psi) {
   if (pulse == Pulse::cosine)
     return psi >= 0 ? std::nullopt : std::optional(Objection{Kind::crest_comes_later});
@@ -28,21 +28,22 @@ std::optional<Objection> wrong_side_of_pulse_end(Form form, Real impact, Real en
   return std::nullopt;
 }
 
-/// Where the first motion takes the block: -1, +1, or 0 if it stays at rest.
+/// Returns the side to which the first motion takes the block: -1 or +1, or 0 if the block stays at rest.
 int side_taken(Pulse pulse, const ExactCase& exact) {
   const Ball& leads = exact.angle.is_zero() ? exact.velocity : exact.angle;
   if (leads.is_zero()) return pulse == Pulse::sine ? -1 : 0;
   return leads.is_negative() ? -1 : 1;
 }
 
-/// To 15 digits, or so many behind the point.
+/// Returns the number with 15 digits, or with a given number of digits after the point.
 Real certain(const Ball& number) {
   const Real value = number.to_real(), width = (number.upper() - number.lower()).to_real();
   if (!(width < 1e-15L * (1 + std::abs(value)))) throw NotCertain("the motion at a root is not certain");
   return value;
 }
 
-/// theta/alpha and thetadot/(alpha p), after a time in which the ground moves as amplitude sin(w t + phase).
+/// The state theta/alpha, thetadot/(alpha p) after a time in which the acceleration of the ground is
+/// amplitude sin(w t + phase).
 struct State {
   Ball angle, velocity;
 };
@@ -57,7 +58,8 @@ State moved(const ExactCase& exact, const Ball& amplitude, const Ball& phase, in
                         one, one, w, amplitude, phase, from.angle, from.velocity, time));
 }
 
-/// The motion at a root: where the pulse begins, on which side, and its first arc and that after an impact.
+/// The motion at a root: where the pulse begins, the side of the block, its first arc, and the arc after an
+/// impact.
 class RootMotion {
  public:
   RootMotion(Pulse pulse, const ExactCase& exact, const ExactRoot& root, int side)
@@ -82,7 +84,7 @@ class RootMotion {
   }
 
  private:
-  /// The arc from `start` at `begin`, when the phase is `phase`.
+  /// Returns the arc from `start` at the time `begin`, when the phase is `phase`.
   Arc arc(int side, const Ball& phase, const Ball& begin, const State& start, Real until) const {
     Mover mover([&](const Arc&, const Point&, Real time) {
       const State at = moved(exact_, root_.amplitude, phase, side, start, Ball(time, begin.bits()) - begin);

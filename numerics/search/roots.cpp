@@ -17,7 +17,8 @@ namespace {
 constexpr double resolution = 4 * std::numeric_limits<double>::epsilon();
 constexpr int most_steps = 2000;
 
-/// A function as GSL calls it. An exception must not pass through C: it waits here, and GSL stops at a NaN.
+/// A function as GSL calls it. An exception must not pass through C: it is kept here, and the function
+/// returns NaN, at which GSL stops.
 struct Called {
   explicit Called(const RealFunction& f) : f(f) {
     gsl_set_error_handler_off();
@@ -32,7 +33,7 @@ struct Called {
       return std::numeric_limits<double>::quiet_NaN();
     }
   }
-  /// Whether GSL could go on.
+  /// Returns whether GSL could go on.
   bool ok(int status) const {
     if (error) std::rethrow_exception(error);
     return status == GSL_SUCCESS;
@@ -43,7 +44,7 @@ struct Called {
   gsl_function gsl{value, this};
 };
 
-/// The bracket left by a method when it is `narrow`.
+/// Returns the bracket that a method leaves when it is `narrow`.
 template <class Narrow>
 std::pair<double, double> solved(const gsl_root_fsolver_type* method, const RealFunction& f, double low,
                                  double high, Narrow narrow) {

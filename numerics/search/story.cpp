@@ -11,8 +11,8 @@ namespace {
 constexpr Real long_enough = 60;  ///< e^60 times any margin above zero has left |theta| = alpha behind
 constexpr Real a_while = 10;
 
-/// The last passage of |theta| = alpha outward on the side to which the block overturns; the start, if it
-/// began beyond and stayed there.
+/// Returns the last passage of |theta| = alpha outwards on the side to which the block overturns; the start,
+/// if the motion began beyond and stayed there.
 Event overturn_event(const Response& response, int side) {
   Point at = response.arcs.front().start;
   for (auto arc = response.arcs.rbegin(); arc != response.arcs.rend(); ++arc) {
@@ -37,7 +37,7 @@ Real default_end(const Story& story, const GroundMotion& motion) {
   return end_of(motion) + a_while;
 }
 
-/// |H|/V at a point of an arc, and V, both in units of m g where they are forces.
+/// The reactions at a point of an arc, in units of m g where they are forces.
 struct Reactions {
   Real horizontal, vertical;
 };
@@ -53,7 +53,8 @@ Reactions reactions(const Block& block, const Arc& arc, const Point& at) {
           emitted::vertical_reaction_positive(alpha, theta, thetadot, ground, one)};
 }
 
-/// The largest ratio on one arc: the best of a few points, and the greatest beside it.
+/// Updates the largest ratio |H|/V by one arc: takes the best of a few points, and the greatest value near
+/// it.
 void friction_on(const Block& block, const Arc& arc, Real until, Friction& friction) {
   const double start = static_cast<double>(arc.start.time),
                end = static_cast<double>(std::min(arc.end.time, until));

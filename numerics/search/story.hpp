@@ -6,7 +6,7 @@
 
 namespace rederive::numerics {
 
-/// One motion in full.
+/// A motion and its outcome.
 struct Story {
   Outcome outcome;
   std::optional<Real> overturn_time;  ///< last passage of |theta| = alpha outward

@@ -15,8 +15,8 @@ auto itinerary(const Station& s) {
   return std::tuple(s.outcome.code, s.outcome.side, s.outcome.impacts, s.outcome.lies, s.outcome.rests > 0);
 }
 
-/// Whether a margin, from its three values and with room to spare, could reach zero between them: as a
-/// parabola would, or, where the itinerary changes and with it the slope, as twice the differences found.
+/// Returns whether a margin could reach 0 between three of its values, with a reserve: as a parabola would,
+/// or, where the itinerary changes and the slope with it, by twice the differences between the values.
 bool might_vanish(double a, double b, double c, bool smooth) {
   const double nearest = std::min({std::abs(a), std::abs(b), std::abs(c)});
   const double bend = smooth ? std::abs(a - 2 * b + c) : std::abs(a - b) + std::abs(b - c);
@@ -32,8 +32,8 @@ bool may_hide_a_window(const Station& low, const Station& between, const Station
          might_vanish(low.returning, between.returning, high.returning, smooth);
 }
 
-/// The stations at some amplitudes, and between them: gaps are halved, all together, until none may hide a
-/// window.
+/// Returns the stations at some amplitudes and between them: gaps are halved, all together, until none may
+/// hide a window.
 std::vector<Station> scan(const PulseCase& asked, const WindowSearch& search,
                           const std::vector<double>& amplitudes) {
   std::vector<Station> stations = stations_at(asked, amplitudes, search);
@@ -53,8 +53,9 @@ std::vector<Station> scan(const PulseCase& asked, const WindowSearch& search,
   return stations;
 }
 
-/// Stations beside each amplitude at which a chain of impacts just comes to rest, where some overturn near
-/// it. There windows follow each other in a geometric sequence, ever narrower; so do these stations.
+/// Adds stations beside each amplitude at which a chain of impacts just comes to rest, if some amplitudes
+/// nearby overturn the block. There windows follow each other in a geometric sequence, ever narrower, and so
+/// do these stations.
 std::vector<Station> beside_chains(const PulseCase& asked, const WindowSearch& search,
                                    const std::vector<Station>& stations) {
   constexpr double nearest = 1e-9, farthest = 1e-4;
@@ -84,7 +85,7 @@ std::vector<Station> beside_chains(const PulseCase& asked, const WindowSearch& s
   return stations_at(asked, amplitudes, search);
 }
 
-/// Drops what is narrower than an edge is exact, and joins what only that had parted.
+/// Removes windows that are narrower than an edge is exact, and joins windows that only such a gap separates.
 std::vector<Window> wide_enough(const std::vector<Window>& all, Model model) {
   const double narrowest = exactness_of_edges(model);
   const auto beside = [&](double low, double high) { return !(high - low > narrowest * high); };
@@ -101,7 +102,7 @@ std::vector<Window> wide_enough(const std::vector<Window>& all, Model model) {
   return kept;
 }
 
-/// The first amplitudes, crowded towards the smallest.
+/// Returns the first amplitudes, which lie closer together near the smallest.
 std::vector<double> first_amplitudes(const PulseCase& asked, const WindowSearch& search) {
   if (!(search.largest > 0 && search.largest <= 1e6))
     throw std::invalid_argument(
@@ -123,7 +124,7 @@ std::vector<double> first_amplitudes(const PulseCase& asked, const WindowSearch&
   return amplitudes;
 }
 
-/// The windows that some stations, in order, show.
+/// Returns the windows that some stations, in order, show.
 std::vector<Window> windows_of(const PulseCase& asked, const WindowSearch& search,
                                const std::vector<Station>& stations) {
   std::vector<Window> windows;
@@ -146,7 +147,7 @@ void add_stations(std::vector<Station>& stations, const std::vector<Station>& mo
   stations.erase(std::unique(stations.begin(), stations.end(), same), stations.end());
 }
 
-/// Adds what is found below the first station that overturns, down to `lowest`.
+/// Adds the windows below the first station that overturns the block, down to `lowest`.
 void search_below(const PulseCase& asked, const WindowSearch& search, double lowest,
                   std::vector<Station>& stations) {
   constexpr int few = 16;
@@ -161,7 +162,7 @@ PulseCase at_a_glance(PulseCase asked, const WindowSearch& search) {
   return asked;
 }
 
-/// All windows between the first and the last of some amplitudes.
+/// Returns all windows between the first and the last of some amplitudes.
 std::vector<Window> all_windows(const PulseCase& asked, const WindowSearch& search,
                                 const std::vector<double>& amplitudes) {
   const PulseCase glancing = at_a_glance(asked, search);
@@ -171,7 +172,8 @@ std::vector<Window> all_windows(const PulseCase& asked, const WindowSearch& sear
   return windows_of(asked, search, stations);
 }
 
-/// The first of them: each station that overturns is followed exactly, until one is in a window.
+/// Returns the first of these windows: follows each station that overturns the block exactly, until one is in
+/// a window.
 std::optional<Window> first_window(const PulseCase& asked, const WindowSearch& search,
                                    const std::vector<double>& amplitudes) {
   constexpr std::ptrdiff_t some = 64;
