@@ -162,33 +162,72 @@ TEST_CASE("an exercise is added as the README of the classroom says") {
   CHECK(contains(slip.out, "Which side of the triangle"));
 }
 
-TEST_CASE("a paper of one's own is judged as the README of the paper says") {
-  const TemporaryFolder folder;
-  const auto part = [](const char* language) {
-    return block("derivations/paper/README.md", "## A paper of your own", language);
-  };
-  write_file(folder.path / "rod.toml", part("toml"));
-  write_file(folder.path / "rod.cpp", part("cpp"));
-  write_file(folder.path / "CMakeLists.txt", part("cmake"));
-  const std::string found =
-      said(folder.path, "P=" + quoted(prefix()) + "; " + part("sh") + "build/rod mutate");
-  CHECK(contains(found, "refuted"));
-  CHECK(contains(found, "omega_0"));
-  CHECK(contains(found, "   0 survived"));
-  const auto rows = nlohmann::json::parse(said(folder.path, "build/rod --json"));
-  CHECK(rows["paper"] == "On Rods");
-  CHECK(rows["counts"]["proved"] == 2);
-  CHECK(rows["counts"]["refuted"] == 1);
+namespace {
 
-  said(folder.path, "XDG_DATA_DIRS=" + quoted(prefix() / "share") + " build/rod certify proofs");
-  CHECK(read_file(folder.path / "proofs/Ledger.v").find("Lemma equation_3_refuted") != std::string::npos);
-  CHECK_FALSE(std::filesystem::exists(folder.path / "proofs/Critical.v"));  // of the rocking block
+constexpr auto papers_guide = "lessons/papers/README.md";
+
+/// Runs a script with the installed programs on the PATH.
+std::string said_with_programs(const fs::path& folder, const std::string& script) {
+  return said(folder, "PATH=" + quoted(prefix() / "bin") + ":$PATH; XDG_STATE_HOME=" +
+                          quoted(folder / "state") + "; export XDG_STATE_HOME; " + script);
+}
+
+/// Follows the guide from its first file on, with the derivations in one language.
+void follow_guide_to_papers(const std::string& language, const std::string& before) {
+  const TemporaryFolder folder;
+  const fs::path rod = folder.path / "rod";
+  fs::create_directory(rod);
+  const auto part = [](const char* kind, int n = 0) {
+    return block(papers_guide, "## A paper in an afternoon", kind, n);
+  };
+  write_file(rod / "paper.toml", part("toml"));
+  write_file(rod / "equations.toml", part("toml", 1));
+  write_file(rod / ("derive." + language), part(language == "py" ? "python" : "cpp"));
+  const std::string found = said_with_programs(folder.path, before + part("sh"));
+  for (const char* line :
+       {"3 rows: 2 proved, 1 refuted", "ω₀ = √(3·g/(2·L))", "   0 survived", "All checks pass."})
+    CHECK_MESSAGE(contains(found, line), found);
+  CHECK(nlohmann::json::parse(said_with_programs(folder.path, "rederive rod --json"))["paper"] ==
+        "On a rod that swings on a hinge");
+
+  write_file(rod / "functions.toml", part("toml", 2));
+  const std::string numbers = said_with_programs(folder.path, part("sh", 1));
+  CHECK_MESSAGE(contains(numbers, "def frequency(g, L):"), numbers);
+  CHECK_MESSAGE(contains(numbers, "t = 0.4159780463"), numbers);
+  CHECK(read_file(folder.path / "swing.csv").starts_with("t,theta,thetadot\n0,0.5,0\n"));
+
+  for (const char* file : {"claims.toml", "lesson-01.md", "exercises.toml"})
+    fs::copy_file(source + "/lessons/papers/rod/" + file, rod / file);
+  fs::create_directories(folder.path / "CLASS/ada");
+  write_file(folder.path / "CLASS/ada/period.txt", "sqrt(3*g/(2*L))\n");
+  const std::string taught = said_with_programs(folder.path, part("sh", 2));
+  CHECK_MESSAGE(contains(taught, "Lesson 1. A rod on its hinge"), taught);
+  CHECK_MESSAGE(contains(taught, "ada,period,correct"), taught);
+  CHECK(contains(read_file(folder.path / "pages/ledger.html"), "refuted"));
 
   // the slip mended is a verdict that was not expected
-  write_file(folder.path / "rod.toml", replaced(part("toml"), "sqrt(2*g/(3*L))", "sqrt(3*g/(2*L))"));
-  const Result mended =
-      run_program("/bin/bash", {"-c", "cd " + quoted(folder.path) + " && build/rod show 3"});
-  CHECK(mended.exit_code == 1);
-  CHECK(run_program("/bin/bash", {"-c", "cd " + quoted(folder.path) + " && build/rod claims"}).exit_code ==
-        2);
+  write_file(rod / "equations.toml", replaced(part("toml", 1), "sqrt(2*g/(3*L))", "sqrt(3*g/(2*L))"));
+  said_with_programs(folder.path, "! rederive rod show 3");
+}
+
+}  // namespace
+
+TEST_CASE("a paper of one's own in C++ goes from its equations to a class as the guide says") {
+  follow_guide_to_papers("cpp", "rederive rod build\n");
+}
+
+TEST_CASE("a paper of one's own in Python goes from its equations to a class as the guide says") {
+  if (run_program("/usr/bin/python3", {"-c", "import sympy"}).exit_code != 0 ||
+      !fs::exists(build + "/python/rederive"))
+    return skip("Python's module sympy or the module rederive is not there");
+  follow_guide_to_papers("py", "");
+}
+
+TEST_CASE("a project builds the derivations of a paper by rederive_paper") {
+  const TemporaryFolder folder;
+  for (const char* file : {"paper.toml", "equations.toml", "derive.cpp"})
+    fs::copy_file(source + "/lessons/papers/rod/" + file, folder.path / file);
+  make_project(folder.path, "find_package(Rederive REQUIRED COMPONENTS paper)\nrederive_paper(rod)\n");
+  CHECK(read_file(folder.path / "derivations.json") ==
+        read_file(source + "/lessons/papers/rod/derivations.json"));
 }

@@ -232,7 +232,7 @@ class FunctionsFile {
 
 }  // namespace
 
-Paper read_paper(const fs::path& folder) {
+Paper read_declarations(const fs::path& folder) {
   const fs::path file = folder / "paper.toml";
   if (!fs::exists(file))
     throw BadInput("there is no paper in '" + printable_name(folder) +
@@ -257,6 +257,11 @@ Paper read_paper(const fs::path& folder) {
   for (const auto& [name, other] : paper.look_alikes)
     for (const std::string& one : {name, other})
       document.check_word("look_alikes", one, paper.symbols.names());
+  return paper;
+}
+
+Paper read_paper(const fs::path& folder) {
+  Paper paper = read_declarations(folder);
   const fs::path derivations = paper.folder / "derivations.json";
   if (fs::exists(derivations)) paper.derivations = read_derivations(derivations, paper.symbols);
   paper.emission = [paper] { return FunctionsFile(paper, paper.folder / "functions.toml").emission(); };

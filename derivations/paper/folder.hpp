@@ -22,6 +22,9 @@ namespace rederive::paper {
 ///   - `integer`: true for a whole number.
 Paper read_paper(const std::filesystem::path& folder);
 
+/// Returns the same paper without derivations: what paper.toml declares. Throws as read_paper does.
+Paper read_declarations(const std::filesystem::path& folder);
+
 /// Returns the events of a stepper of functions.toml, equations in our syntax such as "theta = 0". Throws as
 /// read_paper does.
 std::vector<std::string> events_of_stepper(const Paper& paper, const std::string& stepper);

@@ -11,7 +11,7 @@ int run_derive(const DeriveRows& derive, int argc, char** argv) {
   std::string folder;
   app.add_option("DIR", folder, "Folder of the paper.")->required()->check(CLI::ExistingDirectory);
   return run_command(app, argc, argv, [&] {
-    const Paper paper = read_paper(folder);
+    const Paper paper = read_declarations(folder);
     Derivations rows;
     try {
       derive(paper.symbols, rows);

@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <glob.h>
 #include <spawn.h>
 #include <sys/wait.h>
 
@@ -48,10 +49,16 @@ int run(const std::vector<std::string>& words) {
 
 /// Puts the folder of the Python module that belongs to this program before those of the user.
 void find_python_module() {
-  const fs::path module = loaded_from().parent_path().parent_path() / "python";
-  if (!fs::exists(module / "rederive")) return;  // installed where Python looks
+  const fs::path prefix = loaded_from().parent_path().parent_path();
+  glob_t found;
+  std::string module;  // empty: installed where Python looks
+  if (::glob((prefix.string() + "/{,lib/}python*/{,dist-packages/}rederive").c_str(), GLOB_BRACE, nullptr,
+             &found) == 0)
+    module = fs::path(found.gl_pathv[0]).parent_path();
+  ::globfree(&found);
+  if (module.empty()) return;
   const char* others = std::getenv("PYTHONPATH");
-  const std::string path = module.string() + (others == nullptr ? "" : ":" + std::string(others));
+  const std::string path = module + (others == nullptr ? "" : ":" + std::string(others));
   ::setenv("PYTHONPATH", path.c_str(), /*overwrite=*/1);
 }
 
