@@ -79,6 +79,7 @@ void read_symbol(TomlTable table, const std::string& name, DeclaredSymbols& all)
     all.symbols.push_back(std::move(symbol));
   };
   try {
+    (void)read_range(range);
     add({name, latex, unicode, unit, range, meaning, introduced});
   } catch (const std::invalid_argument& error) {
     table.fail(error.what(), "range");

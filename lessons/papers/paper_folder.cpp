@@ -107,8 +107,8 @@ void build_derivations(const fs::path& folder) {
 }
 
 void refresh_derivations(const fs::path& folder, Stale stale) {
-  if (!fs::exists(folder / "paper.toml") || has_current_derivations(folder))
-    return;  // reading reports the first
+  (void)read_declarations(folder);  // what is wrong with paper.toml comes first
+  if (has_current_derivations(folder)) return;
   const std::string name = printable_name(folder);
   if (source_of_derivations(folder).extension() == ".cpp")
     throw BadInput("the derivations of '" + name + "' are older than its files: run rederive " + name +

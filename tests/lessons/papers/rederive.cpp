@@ -59,6 +59,7 @@ TEST_CASE("each paper that ships passes its own test") {
 TEST_CASE("a new paper passes its own test, and is not written over another one") {
   const TemporaryFolder folder;
   for (const char* from : {"rod", "oscillator", "empty"}) {
+    CAPTURE(from);
     const std::string path = folder.path / from;
     const Result made = run({"new", path, "--from", from});
     CHECK_MESSAGE(made.exit_code == 0, made.err);
