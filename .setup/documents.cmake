@@ -1,9 +1,10 @@
 # Documentation of the programs and the libraries: manual pages from --help, completion for bash, and the public interface
 # from the comments (cmake --build build --target docs). Each is made if its tool is installed.
-set(programs_of_readers ledger rocking emit exercises ${lesson_programs})
+set(programs_of_readers ledger rocking emit exercises rederive ${lesson_programs})
 set(about_ledger "what a paper on rocking blocks prints, and what is true")
 set(about_rocking "motion and overturning of rigid blocks under ground excitation")
 set(about_emit "derived functions of the rocking block as code")
+set(about_rederive "a paper in a folder: judged, emitted, solved and taught")
 set(about_exercises "exercises on the rocking block, judged and graded")
 # Each subcommand has its own manual page: man rocking map.
 set(subcommands_of_ledger show certify errata claims mutate graph prove)
