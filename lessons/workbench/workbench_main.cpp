@@ -10,6 +10,7 @@
 #include <lessons/page/render.hpp>
 #include <nlohmann/json.hpp>
 #include <numerics/motion/overturning.hpp>
+#include <regex>
 #include <stdexcept>
 
 using namespace rederive::language;
@@ -79,13 +80,15 @@ std::string physics(const std::string& script) {
   };
   std::erase_if(functions, is_unused);
   std::erase_if(steppers, is_unused);
-  std::string text = emit({emission_symbols(), functions, steppers}, Target::javascript), names;
-  // "export function NAME(", "export class NAME {"
-  for (std::size_t at = 0; (at = text.find("\nexport ", at)) != std::string::npos;) {
-    text.erase(++at, std::string("export ").size());
-    const std::size_t name = text.find(' ', at) + 1;
-    names += text.substr(name, text.find_first_of("( ", name) - name) + ", ";
+  std::string names;
+  for (const EmittedFunction& f : functions) {
+    names += f.name + ", ";
+    if (!f.derivatives.empty()) names += f.name + "_with_derivatives, ";
   }
+  if (!steppers.empty()) names += "value_at, ";
+  for (const TaylorStepper& stepper : steppers) names += stepper.name + ", ";
+  const std::string text = std::regex_replace(
+      emit({emission_symbols(), functions, steppers}, Target::javascript), std::regex("\nexport "), "\n");
   return "const emitted = (() => {\n" + text + "\nreturn { " + names + "};\n})();\n";
 }
 
