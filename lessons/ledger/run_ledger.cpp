@@ -197,15 +197,84 @@ std::string symbol_name(const std::string& text, const Symbols& symbols) {
   return tokens.size() == 2 && tokens[0].kind == Token::Kind::name ? tokens[0].text : text;
 }
 
-}  // namespace
+constexpr auto about_proving = R"help(Examples:
+  $ ledger prove "sin(3*x)" "3*sin(x) - 4*sin(x)^3"
+  $ ledger prove "sqrt(x^2)" "x" --assume "x > 0"
+  $ ledger prove "sin(x)" "x - x^3/6" --small x --order 3
 
-int run_ledger(const std::function<Paper()>& paper, int argc, char** argv,
-               const std::function<Claims()>& claims) {
-  CLI::App app{
-      "Compares what a paper prints with what is derived. Without a subcommand, lists every equation with "
-      "its "
-      "verdict."};
-  Options options;
+To ask whether an inequality holds wherever it has a value, compare it with 0 < 1.
+
+The verdict proved holds without the assumed equations; proved_under needs them. The verdict
+approximation is possible with --small: the statements differ, but their series agree. An identity is
+proved where both sides are defined. If one side is defined where the other is not, that is a side
+condition, and it is listed. The line "by" says what the verdict rests on: identity, sign, points or
+expansion.
+
+A witness shows the values of two expressions, or of A and B for y = A and y = B; for other equations
+and for inequalities it shows the differences of their sides. In JSON, "at" gives the value of every
+symbol: a rational number, or digits. Beside digits, "exactly" gives the constant that they stand for,
+or "between" gives rational bounds of a root of the equation "solves". "in_words" says the same in
+words.
+
+Exit code: 0 if proved; 1 if refuted; 2 for input that cannot be read or output that cannot be
+written; 3 if undecided.
+)help";
+
+/// The subcommand `prove`, and those of its arguments that decide what it does.
+struct Proving {
+  const CLI::App* command;
+  const CLI::Option *left, *right, *table, *certificate;
+};
+
+Proving add_prove(CLI::App& app, Options& options) {
+  CLI::App* proving =
+      app.add_subcommand("prove", "Decide whether two expressions, equations or inequalities are the same.");
+  auto* lhs = proving->add_option("lhs", options.request.left, "First statement, such as \"sin(2*x)\".");
+  auto* rhs =
+      proving->add_option("rhs", options.request.right, "Second statement, such as \"2*sin(x)*cos(x)\".");
+  auto* assume =
+      proving
+          ->add_option(
+              "--assume", options.request.assumptions,
+              "Assume a condition such as \"x > 0\", \"0 < x < 1\", \"b < h\", \"mu > tan(alpha)\", "
+              "\"x != y\",\n"
+              "\"h = R*cos(alpha)\", \"p^2 = 3*g/(4*R)\" or \"x^2+y^2 = 1\". May be given several times.")
+          ->take_all()
+          ->allow_extra_args(false)
+          ->option_text("TEXT");
+  auto* small =
+      proving->add_option("--small", options.request.small, "Compare the series in these small symbols.")
+          ->delimiter(',')
+          ->allow_extra_args(false)
+          ->option_text("NAME[,NAME]");
+  auto* order = proving
+                    ->add_option("--order", options.request.order,
+                                 "With --small, compare the series up to this order, from 0 to 12.")
+                    ->check(whole_number)
+                    ->needs(small);
+  proving->footer(about_proving);
+  auto* table =
+      proving
+          ->add_option("--table", options.table,
+                       "Decide every row of a table, and write a page in Markdown or, with --json, in JSON.")
+          ->check(CLI::ExistingFile);
+  for (auto* other : {lhs, rhs, assume, small, order}) table->excludes(other);
+  auto* certificate =
+      proving->add_option("--certificate", options.certificate, "Write the proof as a Coq script.")
+          ->check(file_name)
+          ->excludes(table)
+          ->excludes(small)
+          ->option_text("FILE.v");
+  return {proving, lhs, rhs, table, certificate};
+}
+
+/// The subcommands.
+struct Commands {
+  const CLI::App *show, *certify, *errata, *claims, *mutate, *graph;
+  Proving prove;
+};
+
+Commands add_commands(CLI::App& app, Options& options) {
   app.add_flag("--json", options.json, "Write one JSON document to standard output.");
   app.add_option("--equations", options.equations,
                  "Read the rows from this file. Default: the equations.toml of the paper.")
@@ -239,104 +308,55 @@ int run_ledger(const std::function<Paper()>& paper, int argc, char** argv,
                    "Choose which slips are tried, by any whole number from 0. Default: 1.")
       ->check(whole_number);
   auto* dot = app.add_subcommand("graph", "Write what follows from what, as a graph in DOT.");
-  auto* proving =
-      app.add_subcommand("prove", "Decide whether two expressions, equations or inequalities are the same.");
-  auto* lhs = proving->add_option("lhs", options.request.left, "First statement, such as \"sin(2*x)\".");
-  auto* rhs =
-      proving->add_option("rhs", options.request.right, "Second statement, such as \"2*sin(x)*cos(x)\".");
-  auto* assume =
-      proving
-          ->add_option(
-              "--assume", options.request.assumptions,
-              "Assume a condition such as \"x > 0\", \"0 < x < 1\", \"b < h\", \"mu > tan(alpha)\", \"x != "
-              "y\",\n"
-              "\"h = R*cos(alpha)\", \"p^2 = 3*g/(4*R)\" or \"x^2+y^2 = 1\". May be given several times.")
-          ->take_all()
-          ->allow_extra_args(false)
-          ->option_text("TEXT");
-  auto* small =
-      proving->add_option("--small", options.request.small, "Compare the series in these small symbols.")
-          ->delimiter(',')
-          ->allow_extra_args(false)
-          ->option_text("NAME[,NAME]");
-  auto* order = proving
-                    ->add_option("--order", options.request.order,
-                                 "With --small, compare the series up to this order, from 0 to 12.")
-                    ->check(whole_number)
-                    ->needs(small);
+  return {show, certifying, sheet, text, mutation, dot, add_prove(app, options)};
+}
 
-  proving->footer(
-      "Examples:\n"
-      "  $ ledger prove \"sin(3*x)\" \"3*sin(x) - 4*sin(x)^3\"\n"
-      "  $ ledger prove \"sqrt(x^2)\" \"x\" --assume \"x > 0\"\n"
-      "  $ ledger prove \"sin(x)\" \"x - x^3/6\" --small x --order 3\n\n"
-      "To ask whether an inequality holds wherever it has a value, compare it with 0 < 1.\n\n"
-      "The verdict proved holds without the assumed equations; proved_under needs them. The verdict\n"
-      "approximation is possible with --small: the statements differ, but their series agree. An identity "
-      "is\n"
-      "proved where both sides are defined. If one side is defined where the other is not, that is a side\n"
-      "condition, and it is listed. The line \"by\" says what the verdict rests on: identity, sign, points "
-      "or\n"
-      "expansion.\n\n"
-      "A witness shows the values of two expressions, or of A and B for y = A and y = B; for other "
-      "equations\n"
-      "and for inequalities it shows the differences of their sides. In JSON, \"at\" gives the value of "
-      "every\n"
-      "symbol: a rational number, or digits. Beside digits, \"exactly\" gives the constant that they stand "
-      "for,\n"
-      "or \"between\" gives rational bounds of a root of the equation \"solves\". \"in_words\" says the same "
-      "in\n"
-      "words.\n\n"
-      "Exit code: 0 if proved; 1 if refuted; 2 for input that cannot be read or output that cannot be\n"
-      "written; 3 if undecided.\n");
-  auto* table =
-      proving
-          ->add_option("--table", options.table,
-                       "Decide every row of a table, and write a page in Markdown or, with --json, in JSON.")
-          ->check(CLI::ExistingFile);
-  for (auto* other : {lhs, rhs, assume, small, order}) table->excludes(other);
-  auto* certificate =
-      proving->add_option("--certificate", options.certificate, "Write the proof as a Coq script.")
-          ->check(file_name)
-          ->excludes(table)
-          ->excludes(small)
-          ->option_text("FILE.v");
+/// Does what the command line asks for. Returns the exit code.
+int run(const Commands& asked, Options& options, const std::function<Paper()>& paper,
+        const std::function<Claims()>& claims) {
+  if (*asked.claims) {
+    if (!claims) throw BadInput("claims: this paper has no claims; only its equations are judged");
+    Claims all = claims();
+    if (!options.claims.empty()) all.file = options.claims;
+    return show_claims(made(paper), all, options.id, options.json);
+  }
+  options.paper = made(paper);
+  if (!*asked.prove.command) take_rows(options);
+  if (*asked.show) return show_one(options);
+  if (*asked.mutate) return show_mutation(options);
+  if (*asked.prove.command && *asked.prove.table) return show_table(options);
+  if (*asked.prove.command && (!*asked.prove.left || !*asked.prove.right))
+    throw BadInput("prove needs two statements, for example: ledger prove \"sin(2*x)\" \"2*sin(x)*cos(x)\"");
+  for (std::string* text : {&options.request.left, &options.request.right}) *text = trimmed(*text);
+  for (std::string& name : options.request.small) name = symbol_name(name, options.paper.symbols);
+  if (*asked.prove.certificate)
+    return (void)show_proof(options), write_certificate(options.paper, options.request, options.certificate);
+  if (*asked.prove.command) return show_proof(options);
+  options.scripts.json = options.json;
+  if (*asked.certify && options.paper.theorems.empty() && options.scripts.ids.empty())
+    for (const Row& row : rows_of(options.paper)) options.scripts.ids.push_back(row.id);
+  if (*asked.certify) return certify(options.paper, all(options), options.scripts);
+  if (*asked.graph) return put(graph(all(options))), as_expected;
+  if (*asked.errata)
+    return put(errata(all(options), options.json ? "json" : options.format, options.paper)), as_expected;
+  return show_all(options);
+}
 
+}  // namespace
+
+int run_ledger(const std::function<Paper()>& paper, int argc, char** argv,
+               const std::function<Claims()>& claims) {
+  CLI::App app{
+      "Compares what a paper prints with what is derived. Without a subcommand, lists every equation with "
+      "its verdict."};
+  Options options;
+  const Commands asked = add_commands(app, options);
   app.footer(
       "Examples:\n"
       "  $ ledger show 17b\n"
       "  $ ledger prove \"sin(2*x)\" \"2*sin(x)*cos(x)\"\n"
       "  $ ledger errata --format markdown\n\n");
-  return run_command(app, argc, argv, [&]() -> int {
-    if (*text) {
-      if (!claims) throw BadInput("claims: this paper has no claims; only its equations are judged");
-      Claims all = claims();
-      if (!options.claims.empty()) all.file = options.claims;
-      return show_claims(made(paper), all, options.id, options.json);
-    }
-    options.paper = made(paper);
-    if (!*proving) take_rows(options);
-    if (*show) return show_one(options);
-    if (*mutation) return show_mutation(options);
-    if (*proving && *table) return show_table(options);
-    if (*proving && (!*lhs || !*rhs))
-      throw BadInput(
-          "prove needs two statements, for example: ledger prove \"sin(2*x)\" \"2*sin(x)*cos(x)\"");
-    for (std::string* text : {&options.request.left, &options.request.right}) *text = trimmed(*text);
-    for (std::string& name : options.request.small) name = symbol_name(name, options.paper.symbols);
-    if (*certificate)
-      return (void)show_proof(options),
-             write_certificate(options.paper, options.request, options.certificate);
-    if (*proving) return show_proof(options);
-    options.scripts.json = options.json;
-    if (*certifying && options.paper.theorems.empty() && options.scripts.ids.empty())
-      for (const Row& row : rows_of(options.paper)) options.scripts.ids.push_back(row.id);
-    if (*certifying) return certify(options.paper, all(options), options.scripts);
-    if (*dot) return put(graph(all(options))), as_expected;
-    if (*sheet)
-      return put(errata(all(options), options.json ? "json" : options.format, options.paper)), as_expected;
-    return show_all(options);
-  });
+  return run_command(app, argc, argv, [&] { return run(asked, options, paper, claims); });
 }
 
 int run_ledger(const Paper& paper, int argc, char** argv) {

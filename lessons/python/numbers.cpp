@@ -171,6 +171,7 @@ py::class_<Value> value_type(py::module_& module, const char* name, const char* 
   return type;
 }
 
+// This function is long because it has the documentation that Python shows.
 void add_values(py::module_& module) {
   value_type<Block>(module, "Block", R"(A free-standing rectangular block. It cannot be changed.
 
@@ -268,6 +269,7 @@ tau, theta_over_alpha, thetadot_over_alpha_p, ground_over_g : arrays of shape (s
                              [](const Told& it) { return it.column(&Sample::ground, it.alpha); });
 }
 
+// This function is long because it has the documentation that Python shows.
 void add_functions(py::module_& module) {
   const py::arg pulse("pulse"), omegas("omegas"), amplitudes("amplitudes"), amplitude("amplitude");
   const auto block = py::arg("block") = make_block(0.25, 2.14), kind = py::arg("kind") = "sine",
