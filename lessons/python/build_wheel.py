@@ -33,7 +33,9 @@ def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
         subprocess.run(["cmake", "--install", folder, "--component", "python", "--strip", "--prefix", stage], check=True)
         files = {f"rederive/{path.name}": path.read_bytes() for path in Path(stage).glob("lib/python*/*/rederive/*")}
     files[f"{info}/METADATA"] = (f"Metadata-Version: 2.1\nName: rederive\nVersion: {version}\nRequires-Python: >=3.9\n"
-                                 "License: GPL-3.0-or-later\nRequires-Dist: numpy\n").encode()
+                                 "License: GPL-3.0-or-later\nRequires-Dist: numpy\nProvides-Extra: papers\n"
+                                 "Requires-Dist: sympy>=1.11; extra == 'papers'\n"
+                                 "Requires-Dist: scipy; extra == 'papers'\n").encode()
     files[f"{info}/WHEEL"] = f"Wheel-Version: 1.0\nGenerator: rederive\nRoot-Is-Purelib: false\nTag: {tag}\n".encode()
     record = "".join(f"{file},sha256={base64.urlsafe_b64encode(hashlib.sha256(text).digest()).decode().rstrip('=')},"
                      f"{len(text)}\n" for file, text in sorted(files.items()))

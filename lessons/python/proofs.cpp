@@ -1,11 +1,16 @@
-// Binds the ledger, the prover and the emission to Python; all arguments and results are text. The messages
-// for users of Python are in lessons/python/rederive.
+// Binds the ledger, the prover and the emission to Python; all arguments and results are text. Each takes the
+// folder of a paper, or "" for the built-in one. The messages for users of Python are in
+// lessons/python/rederive.
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
 
+#include <derivations/paper/derivation_file.hpp>
+#include <derivations/paper/folder.hpp>
 #include <derivations/paper/json.hpp>
 #include <derivations/paper/prove_bounded.hpp>
 #include <derivations/rocking_block/paper.hpp>
+#include <lessons/ledger/report.hpp>
 #include <mutex>
 #include <nlohmann/json.hpp>
 
@@ -17,10 +22,7 @@ using namespace numbers;
 using namespace program;
 using namespace emit;
 using namespace paper;
-using namespace rocking_block;
 namespace {
-
-using rocking_block::paper;
 
 /// Without Python's lock, but one at a time: GiNaC counts references, and remembers, without locks.
 template <class Work>
@@ -35,26 +37,65 @@ std::mutex& algebra() {
   return mutex;
 }
 
-std::string latex(const std::string& statement) {
-  return statement.empty()
-             ? ""
-             : print(parse_statement(statement, paper().symbols), Notation::latex, paper().symbols);
+/// Where a paper is: its folder, or "" for the built-in one, and files that replace its own where they are
+/// not
+/// "": equations.toml and derivations.json.
+struct Source {
+  std::filesystem::path folder, equations, derivations;
+
+  Paper read() const {
+    Paper paper = folder.empty() ? rocking_block::paper() : read_paper(folder);
+    if (!equations.empty()) paper.rows = {}, paper.equations = equations;
+    if (!derivations.empty()) paper.derivations = read_derivations(derivations, paper.symbols);
+    return paper;
+  }
+};
+
+/// Judges all rows of a paper and returns `report(paper, entries)`. Ctrl-C ends it.
+template <class Report>
+auto judged(const Source& source, Report report) {
+  bool is_interrupted = false;
+  const auto work = [&] {
+    const Paper paper = source.read();
+    std::vector<Entry> entries;
+    for (const Row& row : rows_of(paper)) {
+      if (is_interrupted) break;
+      try {
+        entries.push_back(judge(paper, row));
+      } catch (const SyntaxError& error) {
+        throw BadInput("row " + row.id + ": " + explain(error, row.printed));
+      }
+      const py::gil_scoped_acquire locked;
+      is_interrupted = PyErr_CheckSignals() != 0;
+    }
+    return report(paper, entries);
+  };
+  auto result = alone(algebra(), work);
+  if (is_interrupted) throw py::error_already_set();
+  return result;
+}
+
+std::string latex(const std::string& statement, const Symbols& symbols) {
+  return statement.empty() ? "" : print(parse_statement(statement, symbols), Notation::latex, symbols);
 }
 
 /// What Python is told of a row: its JSON, what is printed (or stated) and what is derived as LaTeX.
 using Told = std::tuple<std::string, std::string, std::string>;
 
-std::vector<Told> ledger(const std::string& equations) {
-  const std::vector<Row> rows = read_rows(equations);
-  std::vector<Told> told;
-  for (const Row& row : rows) {
-    told.push_back(alone(algebra(), [&] {
-      const Entry entry = judge(paper(), row);
-      return Told{to_json(entry).dump(), latex(row.claim()), latex(entry.derived)};
-    }));
-    if (PyErr_CheckSignals() != 0) throw py::error_already_set();
-  }
-  return told;
+std::vector<Told> ledger(const Source& source) {
+  return judged(source, [](const Paper& paper, const std::vector<Entry>& entries) {
+    std::vector<Told> told;
+    for (const Entry& entry : entries)
+      told.emplace_back(to_json(entry).dump(), latex(entry.row.claim(), paper.symbols),
+                        latex(entry.derived, paper.symbols));
+    return told;
+  });
+}
+
+std::string errata(const Source& source, const std::string& format) {
+  return judged(source, [&](const Paper& paper, const std::vector<Entry>& entries) {
+    return ledger::errata(entries, format, paper);
+  });
 }
 
 /// The text that a Python object is. Throws py::type_error, which begins with `name`, where it is not text,
@@ -81,8 +122,9 @@ std::vector<std::string> texts_of(const std::string& name, const py::object& giv
 }
 
 /// Ctrl-C ends it.
-std::string prove(const py::object& left_side, const py::object& right_side, const py::object& assumptions,
-                  const py::object& small_symbols, const py::object& series_order) {
+std::string prove(const Source& source, const py::object& left_side, const py::object& right_side,
+                  const py::object& assumptions, const py::object& small_symbols,
+                  const py::object& series_order) {
   const std::string left = text_of("prove(): left", left_side), right = text_of("prove(): right", right_side);
   const auto assume = texts_of("prove(): assume", assumptions),
              small = texts_of("prove(): small", small_symbols);
@@ -96,13 +138,13 @@ std::string prove(const py::object& left_side, const py::object& right_side, con
     return is_interrupted = PyErr_CheckSignals() != 0;
   };
   std::string found = alone(algebra(), [&] {
-    return decide_bounded(paper(), {trimmed(left), trimmed(right), assume, small, order}, stop).dump();
+    return decide_bounded(source.read(), {trimmed(left), trimmed(right), assume, small, order}, stop).dump();
   });
   if (is_interrupted) throw py::error_already_set();
   return found;
 }
 
-std::string emit_text(const py::object& language, const py::object& functions) {
+std::string emit_text(const Source& source, const py::object& language, const py::object& functions) {
   const std::string target = text_of("emit(): target", language);
   const auto names = texts_of("emit(): functions", functions);
   const auto found = targets().find(target);
@@ -112,7 +154,7 @@ std::string emit_text(const py::object& language, const py::object& functions) {
     throw BadInput("there is no target '" + target + "'; the target must be one of " + known);
   }
   return alone(algebra(), [&] {
-    return emit::emit(chosen_from(paper().emission(), names, found->second), found->second);
+    return emit::emit(chosen_from(source.read().emission(), names, found->second), found->second);
   });
 }
 
@@ -127,8 +169,22 @@ PYBIND11_MODULE(_proofs, module) {
       PyErr_SetString(PyExc_ValueError, rederive::program::printable(error.what()).c_str());
     }
   });
-  module.def("ledger", rederive::python::ledger, py::arg("equations"));
-  module.def("prove", rederive::python::prove, py::arg("left"), py::arg("right"), py::arg("assume"),
+  using namespace rederive::python;
+  const py::arg source("source");
+  py::class_<Source>(module, "Source")
+      .def(py::init<std::filesystem::path, std::filesystem::path, std::filesystem::path>(),
+           py::arg("folder") = "", py::arg("equations") = "", py::arg("derivations") = "");
+  module.def("ledger", rederive::python::ledger, source);
+  module.def("errata", rederive::python::errata, source, py::arg("format"));
+  module.def("prove", rederive::python::prove, source, py::arg("left"), py::arg("right"), py::arg("assume"),
              py::arg("small"), py::arg("order"));
-  module.def("emit", rederive::python::emit_text, py::arg("target"), py::arg("names"));
+  module.def("emit", emit_text, source, py::arg("target"), py::arg("names"));
+  module.def("digest", rederive::paper::digest_of, py::arg("folder"));
+  module.def("has_current_derivations", rederive::paper::has_current_derivations, py::arg("folder"));
+  module.def(
+      "write_whole",
+      [](const std::filesystem::path& file, const std::string& text) {
+        rederive::program::write_whole(file, text);
+      },
+      py::arg("file"), py::arg("text"));
 }

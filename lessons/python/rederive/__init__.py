@@ -12,8 +12,13 @@ be used raise ValueError, with the words of the commands.
 'proved'
 >>> rederive.threshold(rederive.Pulse(3))
 Threshold(amplitude=1.40009981815..., code=2)
+
+`Paper`, `derived`, `step`, `cite` and `taylor` derive the rows of a paper of yours with SymPy, and `to_text` and
+`from_text` convert SymPy expressions. SymPy is imported when one of these is first used.
 """
 from collections import namedtuple
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
 
 from ._ledger import Emitted, Proof, Row, Witness, emit, ledger, prove
 from ._numbers import Block, Pulse, Response, map, response, spectrum, threshold, windows
@@ -24,3 +29,19 @@ Threshold.__doc__ = "The least amplitude a_p/(alpha*g) that overturns a block, a
 
 __all__ = ["Block", "Emitted", "Proof", "Pulse", "Response", "Row", "Threshold", "Witness", "emit", "ledger", "map", "prove",
            "response", "spectrum", "threshold", "windows"]
+
+if TYPE_CHECKING:
+    from ._expressions import from_text, to_text
+    from ._paper import BadPaper, Coordinate, Paper
+    from ._steps import Derivation, Step, cite, derived, step, taylor
+
+
+_LAZY = {"_expressions": ("from_text", "to_text"), "_paper": ("BadPaper", "Coordinate", "Paper"),
+         "_steps": ("Derivation", "Step", "cite", "derived", "step", "taylor")}
+
+
+def __getattr__(name: str) -> Any:
+    for module, names in _LAZY.items():
+        if name in names:
+            return getattr(import_module(f"rederive.{module}"), name)
+    raise AttributeError(f"module 'rederive' has no attribute '{name}'")

@@ -2,32 +2,41 @@
 from __future__ import annotations
 
 import json
+import sys
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, fields
 from fractions import Fraction
 from functools import cache
+from html import escape
 from pathlib import Path
-from typing import Any, Callable, Iterator
+from typing import Any, Callable, ClassVar, Iterator
 
 from . import _proofs
 
-_judged = cache(_proofs.ledger)  # the rows do not change while Python runs
+_built_in = _proofs.Source(equations=str(Path(__file__).with_name("equations.toml")))
 
 
-def _made(cls: Any, values: dict[str, Any]) -> Any:
-    values = values | {"witness": _witness(values["witness"])}
+@cache  # the rows do not change while Python runs
+def _judged() -> list[tuple[str, str, str]]:
+    return _proofs.ledger(_built_in)
+
+
+def _made(cls: Any, values: dict[str, Any], symbols: Mapping[str, Any] | None = None) -> Any:
+    values = values | {"witness": _witness(values["witness"], symbols)}
     return cls(**{field.name: values[field.name] for field in fields(cls) if field.name in values})
 
 
 @dataclass(frozen=True)
-class Witness(Mapping[str, Fraction]):
+class Witness(Mapping[Any, Any]):
     """A point at which two sides differ, to check by hand. It is a mapping of symbols to numbers.
+
+    If SymPy expressions were given, the symbols are theirs and the numbers are those of SymPy: expression.subs(witness).
 
     Attributes
     ----------
     at : dict
         The value of each symbol. For the constants in `exactly` and the zeros in `between`, it is the fraction of
-        the first digits.
+        the first digits; SymPy has the constants themselves.
     printed, derived : str
         The values of both sides there, with 30 digits.
     in_words : list of str
@@ -40,7 +49,7 @@ class Witness(Mapping[str, Fraction]):
         The equation of these zeros.
     """
 
-    at: dict[str, Fraction]
+    at: dict[Any, Any]
     printed: str
     derived: str
     in_words: list[str]
@@ -48,20 +57,27 @@ class Witness(Mapping[str, Fraction]):
     between: dict[str, tuple[Fraction, Fraction]]
     solves: str | None
 
-    def __getitem__(self, symbol: str) -> Fraction:
-        return self.at[symbol]
+    def __getitem__(self, symbol: Any) -> Any:
+        for known, number in self.at.items():  # x is found by "x", and by every symbol x
+            if str(known) == str(symbol):
+                return number
+        raise KeyError(symbol)
 
-    def __iter__(self) -> Iterator[str]:
+    def __iter__(self) -> Iterator[Any]:
         return iter(self.at)
 
     def __len__(self) -> int:
         return len(self.at)
 
 
-def _witness(found: dict[str, Any] | None) -> Witness | None:
+def _witness(found: dict[str, Any] | None, symbols: Mapping[str, Any] | None) -> Witness | None:
     if found is None:
         return None
     at = {symbol: Fraction(number) for symbol, number in found["at"].items()}
+    if symbols is not None:
+        from ._expressions import exact, from_text
+        at = {symbols.get(name, name): from_text(found["exactly"][name]) if name in found.get("exactly", {}) else exact(number)
+              for name, number in at.items()}
     between = {symbol: (Fraction(low), Fraction(high)) for symbol, (low, high) in found.get("between", {}).items()}
     return Witness(at, found["printed"], found["derived"], found["in_words"], found.get("exactly", {}), between,
                    found.get("solves"))
@@ -128,6 +144,21 @@ class Row:
     consequence: str | None
     printed_latex: str
     derived_latex: str
+    _symbols: ClassVar[Mapping[str, Any]] = {}
+
+    @property
+    def printed_expression(self) -> Any:
+        """What is printed, as a SymPy expression or relation; None if nothing is."""
+        return self._expression(self.printed)
+
+    @property
+    def derived_expression(self) -> Any:
+        """What is derived, as a SymPy expression or relation, with the symbols of the paper; None if nothing is."""
+        return self._expression(self.derived)
+
+    def _expression(self, text: str | None) -> Any:
+        from ._expressions import from_text
+        return None if text is None else from_text(text, self._symbols)
 
     def _repr_latex_(self) -> str:
         named = [(f"({self.id})\\ printed" if self.printed else f"({self.id})\\ stated", self.printed_latex),
@@ -136,7 +167,35 @@ class Row:
         return r"$$\begin{array}{ll}%s\end{array}$$" % r"\\[1ex]".join(lines)
 
 
-def ledger() -> list[Row]:
+class Ledger(list[Row]):
+    """The rows of a paper. Jupyter shows them as a table; pandas.DataFrame(ledger) has all their fields."""
+
+    def row(self, id: str) -> Row:
+        """Returns the row with an id. Raises KeyError if there is none."""
+        for row in self:
+            if row.id == id:
+                return row
+        raise KeyError(f"there is no row {id}")
+
+    def _repr_html_(self) -> str:
+        def cells(kind: str, *texts: str) -> str:
+            return "<tr>" + "".join(f'<{kind} style="text-align: left">{text}</{kind}>' for text in texts) + "</tr>"
+
+        rows = [cells("td", escape(row.id), escape(row.section),
+                      *(f"${escape(formula)}$" if formula else "" for formula in (row.printed_latex, row.derived_latex)),
+                      escape(row.verdict.replace("_", " "))) for row in self]
+        return f"<table>{cells('th', 'row', 'section', 'printed', 'derived', 'verdict')}{''.join(rows)}</table>"
+
+
+def rows_told(told: list[tuple[str, str, str]], symbols: Mapping[str, Any] | None = None) -> Ledger:
+    rows = Ledger(_made(Row, json.loads(row) | {"printed_latex": printed, "derived_latex": derived}, symbols)
+                  for row, printed, derived in told)
+    for row in rows if symbols is not None else ():
+        object.__setattr__(row, "_symbols", symbols)
+    return rows
+
+
+def ledger() -> Ledger:
     """Returns every numbered equation of the paper and the relations between them, derived and judged.
 
     The first call takes a second or two.
@@ -146,12 +205,10 @@ def ledger() -> list[Row]:
     >>> int((table.verdict == "undecided").sum())
     0
     """
-    return [_made(Row, json.loads(row) | {"printed_latex": printed, "derived_latex": derived})
-            for row, printed, derived in _judged(str(Path(__file__).with_name("equations.toml")))]
+    return rows_told(_judged())
 
 
-def prove(left: str, right: str, assume: str | Sequence[str] = (), *, small: str | Sequence[str] = (),
-          order: int | None = None) -> Proof:
+def prove(left: Any, right: Any, assume: Any = (), *, small: Any = (), order: int | None = None) -> Proof:
     """Decides whether two expressions, equations or inequalities are the same.
 
     The decision takes at most about two seconds and 480 MB, in a process of its own; beyond that it is undecided.
@@ -159,12 +216,11 @@ def prove(left: str, right: str, assume: str | Sequence[str] = (), *, small: str
 
     Parameters
     ----------
-    left, right : str
-        The statements, as `ledger prove --help` describes them. The str() of a SymPy expression is such a text: x**2
-        is x^2.
-    assume : str or sequence of str
-        Conditions that hold, such as "x > 0".
-    small : str or sequence of str
+    left, right : str, or SymPy expression or relation
+        The statements, as `ledger prove --help` describes them, or as SymPy has them.
+    assume : str or SymPy relation, or sequence of these
+        Conditions that hold, such as "x > 0". The signs that SymPy's symbols have (positive=True) hold as well.
+    small : str or symbol, or sequence of these
         Small symbols. With `order`, the series in these symbols are compared: sin(x) is x to order 2 in x.
     order : int or None
         Order of the series, 0 to 12.
@@ -176,9 +232,9 @@ def prove(left: str, right: str, assume: str | Sequence[str] = (), *, small: str
     Raises
     ------
     TypeError
-        If an argument is not text.
+        If an argument is neither text nor an expression.
     ValueError
-        If a text cannot be read (a caret marks the character), or if the assumptions contradict each other.
+        If a text or an expression cannot be read (a caret marks the character), or if the assumptions contradict each other.
 
     >>> prove("b < h", "alpha < pi/4", assume=["tan(alpha) = b/h"]).verdict
     'proved_under'
@@ -190,7 +246,16 @@ def prove(left: str, right: str, assume: str | Sequence[str] = (), *, small: str
       sin(x
          ^
     """
-    return _made(Proof, json.loads(_proofs.prove(left, right, assume, small, order)))
+    return proof_in(_built_in, left, right, assume, small, order)
+
+
+def proof_in(source: Any, left: Any, right: Any, assume: Any, small: Any, order: int | None,
+             symbols: Mapping[str, Any] | None = None) -> Proof:
+    asked: tuple[Any, ...] = (left, right, assume, small)
+    if "sympy" in sys.modules:
+        from ._expressions import statements_as_text
+        *asked, symbols = statements_as_text(*asked, symbols)
+    return _made(Proof, json.loads(_proofs.prove(source, *asked, order)), symbols)
 
 
 class Emitted:
@@ -240,4 +305,8 @@ def emit(target: str, *functions: str) -> Emitted:
     >>> emit("python", "restitution")(0.25)  # eq (46)
     0.908186921417...
     """
-    return Emitted(target, tuple(dict.fromkeys(functions)), _proofs.emit(target, functions))
+    return emitted_from(_built_in, target, functions)
+
+
+def emitted_from(source: Any, target: str, functions: tuple[str, ...]) -> Emitted:
+    return Emitted(target, tuple(dict.fromkeys(functions)), _proofs.emit(source, target, functions))

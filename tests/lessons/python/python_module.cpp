@@ -33,8 +33,9 @@ int number_in(const std::string& text, const std::string& pattern) {
   return std::regex_search(text, match, std::regex(pattern)) ? std::stoi(match[1]) : 0;
 }
 
-Tally run_pytest(const fs::path& folder) {
-  const Result ran = run_program(python, {"-m", "pytest", "-p", "no:cacheprovider", "--color=no", folder});
+Tally run_pytest(const fs::path& folder, const fs::path& without = "/nothing") {
+  const Result ran = run_program(python, {"-m", "pytest", "-p", "no:cacheprovider", "--color=no",
+                                          "--ignore=" + without.string(), folder});
   return {number_in(ran.out, "collected (\\d+) items?"),
           ran.exit_code == 0 ? number_in(ran.out, "= (\\d+) passed in") : 0, ran.out + ran.err};
 }
@@ -43,7 +44,14 @@ Tally run_pytest(const fs::path& folder) {
 
 TEST_CASE("the module does what its tests in Python say") {
   if (!can_import("pytest, numpy, pandas, tqdm, matplotlib, nbclient, pip")) return;
-  const Tally tally = run_pytest(source / "tests/lessons/python");
+  const Tally tally = run_pytest(source / "tests/lessons/python", source / "tests/lessons/python/papers");
+  CHECK(tally.collected > 100);
+  CHECK_MESSAGE(tally.passed == tally.collected, tally.said);
+}
+
+TEST_CASE("papers with derivations in Python do what their tests say") {
+  if (!can_import("pytest, numpy, pandas, matplotlib, sympy, scipy")) return;
+  const Tally tally = run_pytest(source / "tests/lessons/python/papers");
   CHECK(tally.collected > 100);
   CHECK_MESSAGE(tally.passed == tally.collected, tally.said);
 }
