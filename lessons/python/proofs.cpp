@@ -179,12 +179,5 @@ PYBIND11_MODULE(_proofs, module) {
   module.def("prove", rederive::python::prove, source, py::arg("left"), py::arg("right"), py::arg("assume"),
              py::arg("small"), py::arg("order"));
   module.def("emit", emit_text, source, py::arg("target"), py::arg("names"));
-  module.def("digest", rederive::paper::digest_of, py::arg("folder"));
   module.def("has_current_derivations", rederive::paper::has_current_derivations, py::arg("folder"));
-  module.def(
-      "write_whole",
-      [](const std::filesystem::path& file, const std::string& text) {
-        rederive::program::write_whole(file, text);
-      },
-      py::arg("file"), py::arg("text"));
 }

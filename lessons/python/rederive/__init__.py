@@ -20,28 +20,33 @@ from collections import namedtuple
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
-from ._ledger import Emitted, Proof, Row, Witness, emit, ledger, prove
-from ._numbers import Block, Pulse, Response, map, response, spectrum, threshold, windows
-from ._numbers import version as __version__
+if TYPE_CHECKING:
+    from ._expressions import from_text, to_text
+    from ._ledger import Emitted, Ledger, Proof, Row, Witness, emit, ledger, prove
+    from ._numbers import Block, Pulse, Response, map, response, spectrum, threshold, windows
+    from ._numbers import version as __version__
+    from ._paper import BadPaper, Coordinate, Paper
+    from ._steps import Derivation, Step, cite, derived, step, taylor
 
 Threshold = namedtuple("Threshold", ["amplitude", "code"])
 Threshold.__doc__ = "The least amplitude a_p/(alpha*g) that overturns a block, and its code side*(impacts + 1)."
 
-__all__ = ["Block", "Emitted", "Proof", "Pulse", "Response", "Row", "Threshold", "Witness", "emit", "ledger", "map", "prove",
-           "response", "spectrum", "threshold", "windows"]
+__all__ = ["Block", "Emitted", "Ledger", "Proof", "Pulse", "Response", "Row", "Threshold", "Witness", "emit", "ledger", "map",
+           "prove", "response", "spectrum", "threshold", "windows"]
 
-if TYPE_CHECKING:
-    from ._expressions import from_text, to_text
-    from ._paper import BadPaper, Coordinate, Paper
-    from ._steps import Derivation, Step, cite, derived, step, taylor
-
-
-_LAZY = {"_expressions": ("from_text", "to_text"), "_paper": ("BadPaper", "Coordinate", "Paper"),
-         "_steps": ("Derivation", "Step", "cite", "derived", "step", "taylor")}
+# A module is imported when one of its names is first used. So derive.py runs in every Python that has SymPy, also in one
+# for which the compiled modules are not built.
+_MODULES = {"_expressions": ["from_text", "to_text"], "_paper": ["BadPaper", "Coordinate", "Paper"],
+            "_steps": ["Derivation", "Step", "cite", "derived", "step", "taylor"],
+            "_ledger": ["Emitted", "Ledger", "Proof", "Row", "Witness", "emit", "ledger", "prove"],
+            "_numbers": ["Block", "Pulse", "Response", "map", "response", "spectrum", "threshold", "windows"]}
 
 
 def __getattr__(name: str) -> Any:
-    for module, names in _LAZY.items():
-        if name in names:
-            return getattr(import_module(f"rederive.{module}"), name)
+    if name == "__version__":
+        return import_module("rederive._numbers").version
+    for module, names in _MODULES.items():
+        if name == module or name in names:
+            found = import_module(f"rederive.{module}")
+            return found if name == module else globals().setdefault(name, getattr(found, name))
     raise AttributeError(f"module 'rederive' has no attribute '{name}'")

@@ -11,11 +11,13 @@ import tempfile
 import traceback
 from collections.abc import Callable, Iterable, Mapping
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-from . import _ledger, _proofs
 from ._expressions import exact, from_text, is_time, rate_name, sp
 from ._steps import Derivation
+
+if TYPE_CHECKING:
+    from . import _ledger
 
 
 class Coordinate(sp.Symbol):
@@ -240,7 +242,8 @@ class Paper:
 
     def _current(self) -> Path:
         """The folder, after derive.py was run if it or paper.toml has changed since."""
-        if (self.folder / "derive.py").is_file() and not _proofs.has_current_derivations(str(self.folder)):
+        from . import _proofs
+        if (self.folder / "derive.py").is_file() and not _proofs.has_current_derivations(self.folder):
             ran = subprocess.run([sys.executable, "-m", "rederive.derive", self.folder], capture_output=True, text=True,
                                  env=os.environ | {"PYTHONPATH": os.pathsep.join(filter(None, sys.path))})
             if ran.returncode != 0:
@@ -249,27 +252,32 @@ class Paper:
 
     def _ask(self, question: Callable[..., Any], *arguments: Any) -> Any:
         """Asks the prover about the paper, with the rows of this session if it has derived some."""
+        from . import _proofs
         if not self.derivations:
-            return question(_proofs.Source(str(self._current())), *arguments)
+            return question(_proofs.Source(self._current()), *arguments)
         with tempfile.NamedTemporaryFile("w", encoding="utf-8", suffix=".json") as file:
             json.dump({"format": 1, "derivations": self.rows_as_data()}, file)
             file.flush()
-            return question(_proofs.Source(str(self.folder), derivations=file.name), *arguments)
+            return question(_proofs.Source(self.folder, derivations=file.name), *arguments)
 
     def ledger(self) -> _ledger.Ledger:
         """Returns all rows, judged. Derivations are those of this session, or those of the folder if there are none."""
+        from . import _ledger, _proofs
         return _ledger.rows_told(self._ask(_proofs.ledger), self.declared)
 
     def errata(self) -> Errata:
         """Returns the errors alone, as a page; str() gives Markdown."""
+        from . import _proofs
         return Errata(self._ask(_proofs.errata, "markdown"))
 
     def prove(self, left: Any, right: Any, assume: Any = (), *, small: Any = (), order: int | None = None) -> _ledger.Proof:
         """Decides as `rederive.prove` does, with the symbols of the paper and their ranges."""
-        return _ledger.proof_in(_proofs.Source(str(self.folder)), left, right, assume, small, order, self.declared)
+        from . import _ledger, _proofs
+        return _ledger.proof_in(_proofs.Source(self.folder), left, right, assume, small, order, self.declared)
 
     def emit(self, *functions: str, target: str = "python") -> _ledger.Emitted:
         """Returns functions that functions.toml lists as code, as `rederive.emit` does; those in Python can be called."""
+        from . import _ledger
         return self._ask(_ledger.emitted_from, target, functions)
 
     def solve(self, rows: str | Iterable[str], start: Mapping[Any, Any], until: float, **options: Any) -> Any:

@@ -27,12 +27,32 @@ A derivation that fails is named on standard error, and makes an error of its ro
 _EXIT = "Exit codes: 0 = written, also if some derivations failed; 2 = bad usage, or files that cannot be used or written."
 
 
+def digest_of(data: bytes) -> str:
+    """Returns the hash by which the programs see whether derivations.json is current: FNV-1a, 64 bits."""
+    value = 0xCBF29CE484222325
+    for byte in data:
+        value = (value ^ byte) * 0x100000001B3 % 2**64
+    return f"{value:016x}"
+
+
+def write_whole(file: Path, text: str) -> None:
+    """Writes a file whole or not at all."""
+    beside = file.with_name(f".{file.name}.{os.getpid()}")
+    try:
+        try:
+            beside.write_text(text, encoding="utf-8")
+            beside.replace(file)
+        finally:
+            beside.unlink(missing_ok=True)
+    except OSError as error:
+        raise ValueError(f"{file}: {error.strerror}") from None
+
+
 def derive(folder: str | Path) -> dict[str, str]:
     """Derives all rows of the paper in a folder, and writes derivations.json there, whole or not at all.
 
     Returns the errors of single rows, by id. Raises ValueError, with the file and the line, for what cannot be used.
     """
-    from . import _proofs
     from ._paper import BadPaper, Paper, described, place_in  # not before: SymPy takes half a second
 
     folder = Path(folder).resolve()
@@ -40,11 +60,13 @@ def derive(folder: str | Path) -> dict[str, str]:
     for needed in (folder / "paper.toml", file):
         if not needed.is_file():
             raise BadPaper(f"{needed}: there is no such file")
-    digest, module = _proofs.digest(str(folder)), types.ModuleType("derive")
+    source = file.read_bytes()
+    digest = digest_of((folder / "paper.toml").read_bytes() + source)
+    module = types.ModuleType("derive")
     module.__file__ = str(file)
     sys.modules["derive"] = module
     try:
-        exec(compile(file.read_bytes(), str(file), "exec"), module.__dict__)  # an import would leave a __pycache__
+        exec(compile(source, str(file), "exec"), module.__dict__)  # an import would leave a __pycache__
     except BadPaper:
         raise
     except (Exception, SystemExit) as error:
@@ -54,7 +76,7 @@ def derive(folder: str | Path) -> dict[str, str]:
         raise BadPaper(f"{file}: it must make one paper, paper = Paper(), and makes {len(papers)}")
     rows = papers.popitem()[1].rows_as_data()
     document = {"format": 1, "digest": digest, "derivations": rows}
-    _proofs.write_whole(str(folder / "derivations.json"), json.dumps(document, ensure_ascii=False, indent=1) + "\n")
+    write_whole(folder / "derivations.json", json.dumps(document, ensure_ascii=False, indent=1) + "\n")
     return {row: found["error"] for row, found in rows.items() if "error" in found}
 
 
