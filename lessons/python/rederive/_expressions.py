@@ -9,10 +9,11 @@ from typing import Any
 
 try:
     import sympy as sp
-except ImportError as missing:
+except ImportError:
     raise ImportError("Derivations in Python need SymPy, which is not installed. On Debian: apt-get install python3-sympy; "
-                      "elsewhere: pip install sympy.") from missing
+                      "elsewhere: pip install sympy.") from None
 from sympy.core.function import AppliedUndef
+from sympy.core.relational import Relational
 
 _NAMES = "sin cos tan cot sec csc asin acos atan sinh cosh tanh coth sech csch asinh acosh atanh exp log".split()
 _FUNCTIONS = {name: getattr(sp, name) for name in _NAMES} | {"fabs": sp.Abs}
@@ -21,23 +22,18 @@ _READ = _FUNCTIONS | {"abs": sp.Abs, "Abs": sp.Abs, "sqrt": sp.sqrt, "pow": sp.P
 _RELATIONS = {"=": sp.Eq, "<": sp.Lt, "<=": sp.Le, ">": sp.Gt, ">=": sp.Ge}
 RELATION_TEXTS = {kind: sign for sign, kind in _RELATIONS.items()} | {sp.Ne: "!="}
 
-# What to write instead of a function or a value that has no text.
-_INSTEAD = {
+_INSTEAD = {name: instead for names, instead in {  # what to write instead of what has no text
     "Piecewise": "write one row for each branch, with the condition of the branch as its domain",
-    "sign": "write x/Abs(x)", "Heaviside": "write one row for each side of the jump",
+    "Heaviside": "write one row for each side of the jump", "sign": "write x/Abs(x)",
     "Max": "write (a + b + Abs(a - b))/2", "Min": "write (a + b - Abs(a - b))/2",
-    "atan2": "write atan(y/x) where x > 0", "sinc": "write sin(x)/x", "acot": "write atan(1/x) where x > 0",
-    "asec": "write acos(1/x)", "acsc": "write asin(1/x)", "acoth": "write atanh(1/x)", "asech": "write acosh(1/x)",
-    "acsch": "write asinh(1/x)", "ImaginaryUnit": "write the real and the imaginary part as two rows",
-    "re": "declare the symbols as real", "im": "declare the symbols as real", "conjugate": "declare the symbols as real",
-    "arg": "declare the symbols as real", "Infinity": "write the limit", "NegativeInfinity": "write the limit",
-    "ComplexInfinity": "the expression divides by 0", "NaN": "the expression has no value",
-    "Integral": "call .doit(); what SymPy cannot integrate has no text", "Sum": "call .doit()", "Product": "call .doit()",
-    "Limit": "call .doit()", "Order": "call .removeO()", "GoldenRatio": "write (1 + sqrt(5))/2",
-    "Subs": "call .doit()", "Dummy": "use a declared symbol", "Wild": "use a declared symbol",
-    "BooleanTrue": "SymPy has decided this relation by itself: use Eq(left, right, evaluate=False), or give both sides",
-    "BooleanFalse": "SymPy has decided this relation by itself: use Eq(left, right, evaluate=False), or give both sides",
-}
+    "atan2": "write atan(y/x) where x > 0", "acot": "write atan(1/x) where x > 0", "asec": "write acos(1/x)",
+    "acsc": "write asin(1/x)", "acoth": "write atanh(1/x)", "asech": "write acosh(1/x)", "acsch": "write asinh(1/x)",
+    "sinc": "write sin(x)/x", "GoldenRatio": "write (1 + sqrt(5))/2", "re im arg conjugate": "declare the symbols as real",
+    "ImaginaryUnit": "write the real and the imaginary part as two rows", "Infinity NegativeInfinity": "write the limit",
+    "ComplexInfinity": "the expression divides by 0", "NaN": "the expression has no value", "Order": "call .removeO()",
+    "Integral Sum Product Limit Subs": "call .doit(); what is left has no text", "Dummy Wild": "use a declared symbol",
+    "BooleanTrue BooleanFalse": "SymPy has decided this relation by itself: use Eq(left, right, evaluate=False)",
+    "ImmutableDenseMatrix MutableDenseMatrix": "write one row for each entry"}.items() for name in names.split()}
 
 
 def rate_name(name: str) -> str:
@@ -46,21 +42,16 @@ def rate_name(name: str) -> str:
 
 
 def is_time(symbol: Any) -> bool:
-    """Returns whether SymPy's dynamicsymbols and our papers write the time like this."""
+    """Returns whether this is the time, as our papers and SymPy's dynamicsymbols write it."""
     return isinstance(symbol, sp.Symbol) and symbol.name == "t"
 
 
-def _refused(what: Any, instead: str) -> ValueError:
-    return ValueError(f"{what} cannot be written in the syntax of papers: {instead}")
-
-
-def _quoted(expression: Any) -> str:
-    text = str(expression)
-    return text if len(text) <= 60 else text[:57] + "..."
+def _refused(what: str, instead: str) -> ValueError:
+    return ValueError(f"{what if len(what) <= 80 else what[:77] + '...'} cannot be written in the syntax of papers: {instead}")
 
 
 class _Writer:
-    """Writes one expression, and notes which names stand for what in it."""
+    """Writes one expression, and notes in `used` what each name in it stands for."""
 
     def __init__(self, declared: Mapping[str, Any] | None) -> None:
         self.declared, self.used = declared, {}
@@ -69,51 +60,45 @@ class _Writer:
         if not re.fullmatch(r"[A-Za-z_]\w*", name, re.ASCII) or name.lower() in ("pi", "inf") or name in _READ:
             raise _refused(f"the symbol '{name}'", "a name is of letters, digits and '_', and is not that of a function or of pi")
         if self.declared is not None and name not in self.declared:
-            rate = "" if isinstance(what, sp.Symbol) and not name.endswith("dot") else ", with the number of its rates"
-            raise ValueError(f"the symbol '{name}' is not declared: declare it under [symbols] in paper.toml{rate}")
+            raise ValueError(f"the symbol '{name}' is not declared: declare it under [symbols] in paper.toml"
+                             + ", with the number of its rates" * name.endswith("dot"))
         self.used.setdefault(name, what)
         return name
 
     def rate(self, function: Any, order: int, what: Any) -> str:
-        """The name of a function of time, or of its derivative: theta(t), or thetadot for Derivative(theta(t), t)."""
+        """A function of time, or its derivative: theta for theta(t), thetadot for Derivative(theta(t), t)."""
         if not isinstance(function, AppliedUndef) or len(function.args) != 1 or not is_time(function.args[0]):
-            advice = "only derivatives of functions of the time t, such as theta(t), are rates; call .doit()" \
-                if order else "only functions of the time t can be written; declare a symbol for this value"
-            raise _refused(_quoted(what), advice)
+            raise _refused(str(what), "only derivatives of functions of the time t are rates; call .doit()" if order else
+                           "only functions of the time t can be written; declare a symbol for this value")
         name = function.func.__name__
         for _ in range(order):
             name = rate_name(name)
         return self.name(name, what)
 
     def sum(self, e: Any) -> str:
-        if not isinstance(e, sp.Add):
-            return self.product(e)
-        terms = [self.product(term) for term in e.as_ordered_terms()]
-        return terms[0] + "".join(f" - {term[1:]}" if term[0] == "-" else f" + {term}" for term in terms[1:])
+        first, *terms = map(self.product, e.as_ordered_terms() if isinstance(e, sp.Add) else [e])
+        return first + "".join(f" - {term[1:]}" if term[0] == "-" else f" + {term}" for term in terms)
 
     def product(self, e: Any) -> str:
-        """Texts of the factors above and below the line; the sign goes in front."""
-        sign, above, below = "", [], []
+        """The factors above and below the line, with the sign in front."""
+        sign, above, below = 1, [], []
         for factor in e.as_ordered_factors() if isinstance(e, sp.Mul) else [e]:
             if isinstance(factor, sp.Rational):
-                sign = "-" if (sign == "-") != (factor < 0) else ""
+                sign *= -1 if factor < 0 else 1
                 above += [str(abs(factor.p))] * (abs(factor.p) != 1)
                 below += [str(factor.q)] * (factor.q != 1)
             elif isinstance(factor, sp.Pow) and factor.exp.is_Rational and factor.exp < 0:
                 below.append(self.power(factor.base, -factor.exp))
             else:
                 above.append(self.factor(factor))
-        over = "*".join(above) or "1"
-        under = below[0] if len(below) == 1 else f"({'*'.join(below)})"
-        return sign + over + (f"/{under}" if below else "")
+        under = "/" + (below[0] if len(below) == 1 else f"({'*'.join(below)})") if below else ""
+        return "-" * (sign < 0) + ("*".join(above) or "1") + under
 
     def factor(self, e: Any) -> str:
-        if isinstance(e, sp.Pow):
-            is_quotient = e.exp.is_Rational and e.exp < 0
-            return f"({self.product(e)})" if is_quotient else self.power(e.base, e.exp)
-        if isinstance(e, (sp.Add, sp.Mul)) or (isinstance(e, sp.Rational) and (e.q != 1 or e < 0)):
+        is_quotient = isinstance(e, sp.Pow) and e.exp.is_Rational and e.exp < 0
+        if is_quotient or isinstance(e, (sp.Add, sp.Mul)) or (isinstance(e, sp.Rational) and (e.q != 1 or e < 0)):
             return f"({self.sum(e)})"
-        return self.atom(e)
+        return self.power(e.base, e.exp) if isinstance(e, sp.Pow) else self.atom(e)
 
     def power(self, base: Any, exponent: Any) -> str:
         if exponent == 1:
@@ -125,10 +110,8 @@ class _Writer:
 
     def atom(self, e: Any) -> str:
         kind = type(e)
-        if isinstance(e, sp.Integer):
+        if e is sp.pi or isinstance(e, sp.Integer):
             return str(e)
-        if e is sp.pi:
-            return "pi"
         if e is sp.E:
             return "exp(1)"
         if isinstance(e, sp.Float):
@@ -141,27 +124,21 @@ class _Writer:
             return self.rate(e, 0, e)
         if isinstance(e, sp.Derivative) and len(e.variable_count) == 1 and e.variable_count[0][1].is_Integer:
             return self.rate(e.expr, int(e.variable_count[0][1]), e)
-        if isinstance(e, sp.MatrixBase):
-            raise _refused("a matrix", "write one row for each entry")
-        instead = _INSTEAD.get(kind.__name__, "write it in " + ", ".join(_NAMES) + ", sqrt and Abs")
-        raise _refused(kind.__name__ if kind.__name__ == str(e) or e.args == () else f"{kind.__name__}, in {_quoted(e)},", instead)
+        raise _refused(f"{kind.__name__}, in {e}," if getattr(e, "args", ()) else kind.__name__,
+                       _INSTEAD.get(kind.__name__, f"write it in {', '.join(_NAMES)}, sqrt and Abs"))
 
     def statement(self, e: Any) -> str:
-        if isinstance(e, sp.core.relational.Relational):
-            return f"{self.sum(e.lhs)} {RELATION_TEXTS[type(e)]} {self.sum(e.rhs)}"
-        return self.sum(e)
+        return f"{self.sum(e.lhs)} {RELATION_TEXTS[type(e)]} {self.sum(e.rhs)}" if isinstance(e, Relational) else self.sum(e)
 
 
 def exact(value: Any) -> Any:
     """Returns a number or an expression as SymPy has it. Raises ValueError for floats, TypeError for other objects."""
-    if isinstance(value, float) or type(value).__name__ in ("float16", "float32", "longdouble"):
+    if isinstance(value, float):
         raise _refused(f"the float {value}", f"it is not exact; write a fraction, such as Rational('{Fraction(str(value))}')")
-    if isinstance(value, str):
-        raise TypeError(f"'{value}' is text; a SymPy expression is needed here")
     try:
         return sp.sympify(value, strict=True)
     except sp.SympifyError:
-        raise TypeError(f"a {type(value).__name__} is not an expression; a SymPy expression is needed here") from None
+        raise TypeError(f"{value!r} is a {type(value).__name__}; a SymPy expression is needed here") from None
 
 
 def to_text_and_names(expression: Any, declared: Mapping[str, Any] | None = None) -> tuple[str, dict[str, Any]]:
@@ -176,73 +153,45 @@ def to_text_and_names(expression: Any, declared: Mapping[str, Any] | None = None
 def to_text(expression: Any, declared: Mapping[str, Any] | None = None) -> str:
     """Returns a SymPy expression or relation as text in our own syntax, exactly.
 
-    Functions of the time t are symbols, and their derivatives are rates: theta(t).diff(t) is thetadot.
+    Functions of the time t are symbols, and their derivatives are rates: theta(t).diff(t) is thetadot. `declared` has the
+    names that may be used; by default all. Raises ValueError for what has no exact text (floats, I, Piecewise), saying what
+    to write instead, and for a symbol that is not declared.
 
-    Parameters
-    ----------
-    expression : SymPy expression, relation or number
-    declared : mapping, optional
-        The names that may be used. Default: all.
-
-    Raises
-    ------
-    ValueError
-        If a part has no exact text, such as a float, I or Piecewise, or if a symbol is not declared. The message says
-        what to write instead.
-
-    >>> x, theta = sympy.Symbol("x"), sympy.physics.mechanics.dynamicsymbols("theta")
-    >>> to_text(sympy.sqrt(x) * theta.diff() ** 2 / 2)
+    >>> to_text(sympy.sqrt(sympy.Symbol("x")) * sympy.physics.mechanics.dynamicsymbols("theta").diff() ** 2 / 2)
     'thetadot^2*sqrt(x)/2'
     """
     return to_text_and_names(expression, declared)[0]
 
 
 def statements_as_text(left: Any, right: Any, assume: Any, small: Any, declared: Mapping[str, Any] | None) -> tuple[Any, ...]:
-    """Returns what `prove` is asked with texts in the place of SymPy expressions, and the symbols in these by name.
+    """Returns what `prove` is asked with texts in the place of SymPy expressions, and what the names in them stand for.
 
-    If there is no SymPy expression, everything is returned as it is, with `declared` for the symbols. The signs that SymPy's
-    symbols have, but paper.toml does not declare, become assumptions.
+    The signs that SymPy's symbols have, and that paper.toml does not declare, become assumptions. Without SymPy expressions
+    everything is returned as it is.
     """
-    def listed(some: Any) -> list[Any]:
-        return list(some.args if isinstance(some, sp.And) else some) if isinstance(some, (list, tuple, sp.And)) else [some]
-
-    assumed, smalls = listed(assume), listed(small)
+    assumed, smalls = (list(some) if isinstance(some, (list, tuple)) else [some] for some in (assume, small))
     if not any(isinstance(one, sp.Basic) for one in (left, right, *assumed, *smalls)):
         return left, right, assume, small, declared
     used: dict[str, Any] = {}
 
     def text(one: Any) -> Any:
-        if isinstance(one, str):
-            return one
-        written, names = to_text_and_names(one)
+        written, names = (one, {}) if isinstance(one, str) else to_text_and_names(one)
         used.update(names)
         return written
 
     left, right, *assumed = map(text, (left, right, *assumed))
-    for name, symbol in used.items():
-        for sign, holds in (("> 0", symbol.is_positive), ("< 0", symbol.is_negative), (">= 0", symbol.is_nonnegative),
-                            ("<= 0", symbol.is_nonpositive), ("!= 0", symbol.is_nonzero)):
-            if holds:
-                assumed += [f"{name} {sign}"] if name not in (declared or {}) else []
-                break
-    return left, right, assumed, [text(one) for one in smalls], {**(declared or {}), **used}
+    for name in used.keys() - (declared or {}).keys():
+        of = used[name]
+        signs = {"> 0": of.is_positive, "< 0": of.is_negative, ">= 0": of.is_nonnegative, "<= 0": of.is_nonpositive, "!= 0": of.is_nonzero}
+        assumed += [f"{name} {sign}" for sign, holds in signs.items() if holds][:1]
+    return left, right, assumed, list(map(text, smalls)), {**(declared or {}), **used}
 
 
 def from_text(text: str, symbols: Mapping[str, Any] | Iterable[Any] = ()) -> Any:
     """Returns the SymPy expression or relation of a text in our own syntax, with ASCII names, exactly.
 
-    Decimal numbers become fractions. A chain such as a < b < c becomes And(a < b, b < c).
-
-    Parameters
-    ----------
-    text : str
-    symbols : mapping of names to expressions, or iterable of symbols
-        What names stand for. Other names are real symbols.
-
-    Raises
-    ------
-    ValueError
-        If the text cannot be read.
+    `symbols` says what names stand for: symbols, or a mapping of names to expressions. Other names are real symbols. Decimal
+    numbers become fractions; a chain such as a < b < c becomes And(a < b, b < c). Raises ValueError for other texts.
 
     >>> from_text("2*sqrt(x)/3 < 0.1")
     2*sqrt(x)/3 < 1/10
@@ -250,14 +199,12 @@ def from_text(text: str, symbols: Mapping[str, Any] | Iterable[Any] = ()) -> Any
     known = symbols if isinstance(symbols, Mapping) else {symbol.name: symbol for symbol in symbols}
     parts = re.split(r"(<=|>=|[<>=])", text)
     sides = [_Reader(side, known).read() for side in parts[::2]]
-    relations = [_RELATIONS[sign](left, right, evaluate=False) for sign, left, right in zip(parts[1::2], sides, sides[1:])]
-    if not relations:
-        return sides[0]
-    return relations[0] if len(relations) == 1 else sp.And(*relations)
+    links = [_RELATIONS[sign](*ends, evaluate=False) for sign, *ends in zip(parts[1::2], sides, sides[1:])]
+    return sides[0] if not links else links[0] if len(links) == 1 else sp.And(*links)
 
 
 class _Reader:
-    """Reads one side of a relation: Python reads the text as its own, after names were marked as such by a '_'."""
+    """Reads one side of a relation: Python parses it, after names were marked by a '_', so that none is a word of Python."""
 
     def __init__(self, text: str, known: Mapping[str, Any]) -> None:
         self.text, self.known = text.strip(), known
@@ -267,36 +214,32 @@ class _Reader:
         try:
             return self.value(ast.parse(self.source, mode="eval").body)
         except (SyntaxError, RecursionError, MemoryError):
-            raise self.unreadable() from None
-
-    def unreadable(self) -> ValueError:
-        return ValueError(f"'{self.text}' cannot be read as an expression in our syntax with ASCII names")
+            raise ValueError(f"'{self.text}' cannot be read as an expression in our syntax with ASCII names") from None
 
     def value(self, node: ast.AST) -> Any:
-        if isinstance(node, ast.Constant):
-            digits = ast.get_source_segment(self.source, node)
-            if re.fullmatch(r"[\d.]+([eE][-+]?\d+)?", digits):
-                return sp.Rational(digits)
+        digits = isinstance(node, ast.Constant) and ast.get_source_segment(self.source, node)
+        if digits and re.fullmatch(r"[\d.]+([eE][-+]?\d+)?", digits):
+            return sp.Rational(digits)
         if isinstance(node, ast.Name) and node.id.endswith("_") and node.id.isascii():
             name = node.id[:-1]
             return sp.pi if name == "pi" else self.known[name] if name in self.known else sp.Symbol(name, real=True)
         if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and not node.keywords:
-            function = _READ.get(node.func.id[:-1])
-            if function is None:
-                raise ValueError(f"'{node.func.id[:-1]}' is not a function in our syntax")
-            if len(node.args) != (2 if function is sp.Pow else 1):
-                raise ValueError(f"'{node.func.id[:-1]}' has {'two arguments' if function is sp.Pow else 'one argument'}")
-            return function(*map(self.value, node.args))
-        if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Pow):
+            name, count = node.func.id[:-1], 2 if node.func.id == "pow_" else 1
+            if name not in _READ or len(node.args) != count:
+                raise ValueError(f"'{name}' {'has two arguments' if count == 2 else 'has one argument'}" if name in _READ else
+                                 f"'{name}' is not a function in our syntax")
+            return _READ[name](*map(self.value, node.args))
+        kind = type(getattr(node, "op", None))
+        if kind is ast.Pow:
             return sp.Pow(self.value(node.left), self.value(node.right))
-        if isinstance(node, ast.BinOp) and isinstance(node.op, (ast.Add, ast.Sub)):
+        if kind in (ast.Add, ast.Sub):
             return sp.Add(*self.terms(node))
-        if isinstance(node, (ast.BinOp, ast.UnaryOp)):
+        if kind in (ast.Mult, ast.Div, ast.USub, ast.UAdd):
             return sp.Mul(*self.factors(node))
-        raise self.unreadable()
+        raise SyntaxError
 
     def terms(self, node: ast.AST) -> list[Any]:
-        """The terms of a sum, all at once, because SymPy needs a time that is quadratic in them one by one."""
+        """The terms of a sum, all at once: one by one, SymPy takes a time that is quadratic in their number."""
         terms = []
         while isinstance(node, ast.BinOp) and isinstance(node.op, (ast.Add, ast.Sub)):
             terms.append(sp.Mul(*self.factors(node.right), 1 if isinstance(node.op, ast.Add) else -1))
@@ -305,12 +248,10 @@ class _Reader:
 
     def factors(self, node: ast.AST) -> list[Any]:
         """The factors of a product, all at once: SymPy makes 2*x + 2 of 2*(x + 1), but not in 2*(x + 1)*y."""
-        if isinstance(node, ast.UnaryOp) and isinstance(node.op, (ast.USub, ast.UAdd)):
-            return [sp.Integer(-1 if isinstance(node.op, ast.USub) else 1), *self.factors(node.operand)]
-        if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Mult):
-            return self.factors(node.left) + self.factors(node.right)
-        if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Div):
-            return self.factors(node.left) + [1 / factor for factor in self.factors(node.right)]
-        if isinstance(node, ast.BinOp) and not isinstance(node.op, (ast.Add, ast.Sub, ast.Pow)) or isinstance(node, ast.UnaryOp):
-            raise self.unreadable()
+        kind = type(getattr(node, "op", None))
+        if kind in (ast.USub, ast.UAdd):
+            return [sp.Integer(-1 if kind is ast.USub else 1), *self.factors(node.operand)]
+        if kind in (ast.Mult, ast.Div):
+            below = self.factors(node.right)
+            return self.factors(node.left) + (below if kind is ast.Mult else [1 / factor for factor in below])
         return [self.value(node)]

@@ -171,11 +171,8 @@ class Ledger(list[Row]):
     """The rows of a paper. Jupyter shows them as a table; pandas.DataFrame(ledger) has all their fields."""
 
     def row(self, id: str) -> Row:
-        """Returns the row with an id. Raises KeyError if there is none."""
-        for row in self:
-            if row.id == id:
-                return row
-        raise KeyError(f"there is no row {id}")
+        """Returns the row with an id."""
+        return next(row for row in self if row.id == id)
 
     def _repr_html_(self) -> str:
         def cells(kind: str, *texts: str) -> str:

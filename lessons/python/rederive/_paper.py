@@ -65,65 +65,43 @@ def _read_toml(file: Path) -> dict[str, Any]:
 
 
 class _Declared(dict):
-    """The symbols of a paper by name, from the table [symbols] of paper.toml; a symbol is made when it is first needed."""
+    """The symbols of a paper by name, from the table [symbols] of paper.toml; `coordinates` are those that have rates."""
 
     def __init__(self, file: Path) -> None:
         super().__init__()
-        self.file, self.entries, self.under_way = file, {}, []
+        self.file, self.coordinates = file, []
         table = _read_toml(file).get("symbols", {})
-        if not isinstance(table, dict):
-            raise self.error("symbols", "[symbols] must be a table")
-        for name, entry in table.items():
+        for name, entry in table.items() if isinstance(table, dict) else [("symbols", None)]:
             rates = entry.get("rates", 0) if isinstance(entry, dict) else None
             if rates not in (0, 1, 2) or isinstance(rates, bool):
-                raise self.error(name, f"the symbol {name} must be a table such as {{ unit = \"m\", rates = 2 }}; rates are 0, 1 or 2")
-            self.entries[name] = entry
-        self.rates: set[str] = set()
-        for name, entry in table.items():
-            for _ in range(entry.get("rates", 0)):
+                raise self.error(name, f'{name} must be a table such as {{ unit = "m", rates = 2 }}; rates are 0, 1 or 2')
+            kind = Coordinate if rates else sp.Symbol
+            whole = {"integer": True} if entry.get("integer") else {}
+            self[name] = kind(name, real=True, **self.sign(name, entry.get("range", "(-inf, inf)")), **whole)
+            self.coordinates += [name] * (rates > 0)
+            for _ in range(rates):
                 name = rate_name(name)
-                self.rates.add(name)
-                self.entries.setdefault(name, {})
-        for name in self.entries:
-            self[name]
+                self[name] = Coordinate(name, real=True)
 
     def error(self, name: str, message: str) -> BadPaper:
         lines = self.file.read_text(encoding="utf-8").split("\n")
         at = next((k for k, line in enumerate(lines, 1) if re.match(rf"\s*(\[?symbols\.)?\[?[\"']?{re.escape(name)}\b", line)), 1)
         return BadPaper(f"{self.file}:{at}: {message}")
 
-    def __missing__(self, name: str) -> Any:
-        if name not in self.entries:
-            raise KeyError(name)
-        if name in self.under_way:
-            raise self.error(name, f"the range of {name} depends on itself")
-        self.under_way.append(name)
-        entry, moves = self.entries[name], name in self.rates or rate_name(name) in self.entries
-        signs = {} if name in self.rates else self.signs(name, entry.get("range", "(-inf, inf)"))
-        self[name] = (Coordinate if moves else sp.Symbol)(name, real=True, **signs, **{"integer": True} if entry.get("integer") else {})
-        self.under_way.pop()
-        return self[name]
-
-    def signs(self, name: str, its_range: Any) -> dict[str, bool]:
-        """What SymPy may assume of the sign: what the ends of the range show."""
+    def sign(self, name: str, its_range: Any) -> dict[str, bool]:
+        """What SymPy may assume of the sign: what the ends of the range show, numbers or symbols that are declared above."""
         form = re.fullmatch(r"\s*([(\[])\s*([^,]+?)\s*,\s*([^,]+?)\s*([)\]])\s*", its_range) if isinstance(its_range, str) else None
         if form is None:
-            raise self.error(name, f"the range of {name} must be written \"(lower, upper)\", not {its_range!r}")
-        bracket, lower, upper, closing = form.groups()
+            raise self.error(name, f'the range of {name} must be written "(lower, upper)", not {its_range!r}')
         try:
-            least, most = (from_text(end, self) if end not in ("inf", "-inf") else sp.nan for end in (lower, upper))
-        except BadPaper:
-            raise
+            least, most = (sp.nan if end in ("inf", "-inf") else from_text(end, self) for end in form.group(2, 3))
         except ValueError as error:
             raise self.error(name, f"the range of {name}: {error}") from None
-        if least.is_positive or (least.is_nonnegative and bracket == "("):
+        if least.is_positive or (least.is_nonnegative and form[1] == "("):
             return {"positive": True}
-        if most.is_negative or (most.is_nonpositive and closing == ")"):
+        if most.is_negative or (most.is_nonpositive and form[4] == ")"):
             return {"negative": True}
         return {"nonnegative": True} if least.is_nonnegative else {"nonpositive": True} if most.is_nonpositive else {}
-
-    def __contains__(self, name: object) -> bool:
-        return name in self.entries
 
 
 class Paper:
@@ -231,14 +209,21 @@ class Paper:
             code = function.__wrapped__.__code__
             return {"error": f"{place_in(code.co_filename, error, code.co_firstlineno)}: {described(error)}"}
 
-    def derivation(self, row: str) -> Derivation:
-        """Returns the derivation of a row: that of a function of this session, or that in derivations.json."""
+    def equation(self, row: str) -> Any:
+        """Returns the left side minus the right side of what is derived for a row, with what is given put in."""
         if row in self.derivations:
-            return self.derivations[row]()
-        found = json.loads((self._current() / "derivations.json").read_text(encoding="utf-8"))["derivations"].get(row)
-        if found is None or "error" in found:
-            raise ValueError(f"row {row} is not derived{': ' + found['error'] if found else ''}")
-        return Derivation.from_json(found, self.declared)
+            found = self.derivations[row]()
+            relation, left, right, given = found.relation, found.left, found.right, found.given
+        else:
+            data = json.loads((self._current() / "derivations.json").read_text(encoding="utf-8"))["derivations"].get(row, {})
+            if "error" in data or not data:
+                raise ValueError(f"row {row} is not derived{': ' + data['error'] if data else ''}")
+            read = functools.partial(from_text, symbols=self.declared)
+            relation, left, right = data["relation"], read(data["left"]), read(data["right"])
+            given = [(read(name), read(value)) for name, value in data["given"]]
+        if relation != "=":
+            raise ValueError(f"row {row} is not an equation")
+        return (left - right).subs(dict(given))
 
     def _current(self) -> Path:
         """The folder, after derive.py was run if it or paper.toml has changed since."""
@@ -281,7 +266,24 @@ class Paper:
         return self._ask(_ledger.emitted_from, target, functions)
 
     def solve(self, rows: str | Iterable[str], start: Mapping[Any, Any], until: float, **options: Any) -> Any:
-        """Solves the equations of motion in these rows numerically; `rederive._solution.solve` says how."""
+        """Solves the equations of motion that rows derive, numerically: by SciPy's DOP853.
+
+        Parameters
+        ----------
+        rows : str or list of str
+            Rows with as many equations as coordinates. They determine the highest rates.
+        start : dict
+            Initial values of the coordinates and their rates, and the values of all other symbols, which may depend on t.
+            start[t] is the time at which the motion begins. Default: 0.
+        until : float
+            End of the time.
+        events : dict of names to expressions, optional
+            An event is where its expression is 0. The names in `stop` end the motion.
+        samples : int
+            Number of times in the solution. Default: 1001.
+        accuracy : float
+            Relative tolerance. Default: 1e-9.
+        """
         from ._solution import solve
         return solve(self, [rows] if isinstance(rows, str) else list(rows), start, until, **options)
 

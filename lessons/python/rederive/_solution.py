@@ -6,8 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from ._expressions import exact, from_text, is_time, rate_name, sp
-from ._paper import Coordinate
+from ._expressions import exact, from_text, rate_name, sp
 
 
 class Solution:
@@ -34,93 +33,57 @@ class Solution:
         return axes
 
 
-def _highest_rates(equations: list[Any], known: Mapping[str, Any]) -> list[Any]:
-    """The highest rate of each coordinate in the equations whose course is not given."""
-    names = {symbol.name for equation in equations for symbol in equation.free_symbols}
-    return [symbol for symbol in sorted({s for equation in equations for s in equation.free_symbols}, key=str)
-            if isinstance(symbol, Coordinate) and symbol.name.endswith("dot") and symbol.name not in known
-            and rate_name(symbol.name) not in names]
-
-
 def solve(paper: Any, rows: list[str], start: Mapping[Any, Any], until: float, *, events: Mapping[str, Any] | None = None,
           stop: Iterable[str] = (), samples: int = 1001, accuracy: float = 1e-9) -> Solution:
-    """Solves the equations of motion that rows derive, from the time 0, or start[t], on.
-
-    Parameters
-    ----------
-    rows : list of str
-        Rows with as many equations as coordinates. The equations are linear in the highest rates.
-    start : dict
-        Initial values of the coordinates and their rates, and the values of all other symbols; these may depend on t.
-    until : float
-        End of the time.
-    events : dict of names to expressions
-        An event is where its expression is 0.
-    stop : names
-        Events that end the motion.
-    samples : int
-        Number of times in the solution.
-    accuracy : float
-        Relative tolerance of the integration, by SciPy's DOP853.
-
-    Raises
-    ------
-    ValueError
-        If the equations do not determine the highest rates, or if a value is missing.
-    """
+    """Solves the equations of motion that rows derive, from the time 0 or start[t] on. See Paper.solve."""
     try:
         from scipy.integrate import solve_ivp
     except ImportError:
         raise ImportError("solve() needs SciPy, which is not installed. On Debian: apt-get install python3-scipy; "
                           "elsewhere: pip install scipy.") from None
-    known = {str(symbol): value if isinstance(value, float) else exact(value) for symbol, value in start.items()}
-    begin = float(known.pop("t", 0))
-    equations = []
-    for row in rows:
-        of = paper.derivation(row)
-        if of.relation != "=":
-            raise ValueError(f"row {row} is not an equation")
-        equations.append((of.left - of.right).subs(dict(of.given)))
-    wanted = _highest_rates(equations, known)
-    found = sp.solve(equations, wanted, dict=True) if wanted else []
-    if len(wanted) != len(rows) or len(found) != 1 or len(found[0]) != len(wanted):
+    values = {str(symbol): exact(value) if not isinstance(value, float) else sp.Float(value) for symbol, value in start.items()}
+    begin, t = float(values.pop("t", 0)), sp.Symbol("t", real=True)
+
+    def settled(expression: Any, kept: Iterable[Any] = ()) -> Any:
+        """The expression with the values of all symbols, but for those that are kept."""
+        symbols = expression.free_symbols
+        given = {s: values[s.name] for s in symbols if s.name in values and s.name not in kept}
+        return expression.subs(given).subs({s: t for s in symbols if s.name == "t"})
+
+    equations = [paper.equation(row) for row in rows]
+    chains = [[name, rate_name(name), rate_name(rate_name(name))] for name in paper.declared.coordinates]
+    names = {s.name for equation in equations for s in equation.free_symbols}
+    chains = [chain[:order + 1] for chain in chains
+              if (order := max((k for k in (1, 2) if chain[k] in names), default=0)) and chain[order] not in values]
+    highest = [paper.declared[chain[-1]] for chain in chains]
+    found = sp.solve(equations, highest, dict=True) if highest else []
+    if len(highest) != len(rows) or len(found) != 1 or len(found[0]) != len(highest):
         raise ValueError(f"row {', '.join(rows)}: {len(rows)} equations must determine the highest rates, which are "
-                         f"{', '.join(map(str, wanted)) or 'none'}")
-    rates: dict[str, Any] = {}  # of each part of the state
-    for highest in wanted:
-        base = next(q for q in paper.declared if highest.name in (rate_name(q), rate_name(rate_name(q))) and not q.endswith("dot"))
-        chain = [base] if rate_name(base) == highest.name else [base, rate_name(base)]
-        rates |= {name: found[0][highest] if rate_name(name) == highest.name else paper.declared[rate_name(name)] for name in chain}
+                         f"{', '.join(map(str, highest)) or 'none'}")
+    rates = {name: found[0].get(paper.declared[rate], paper.declared[rate]) for chain in chains for name, rate in zip(chain, chain[1:])}
 
-    t = sp.Symbol("t", real=True)
-
-    def callable_of(what: Any) -> Any:
-        values = {name: value for name, value in known.items() if name not in rates}
-        expressions = [(from_text(one, paper.declared) if isinstance(one, str) else exact(one)) for one in what]
-        settled = [one.subs({s: values[s.name] for s in one.free_symbols if s.name in values}) for one in expressions]
-        settled = [one.subs({s: t for s in one.free_symbols if is_time(s)}) for one in settled]
-        missing = {s.name for one in settled for s in one.free_symbols} - set(rates) - {"t"}
-        if missing := missing | (set(rates) - set(known)):
+    def numeric(expressions: Iterable[Any]) -> Any:
+        given = [settled(from_text(one, paper.declared) if isinstance(one, str) else exact(one), rates) for one in expressions]
+        missing = {s.name for one in given for s in one.free_symbols} - {*rates, "t"} | rates.keys() - values.keys()
+        if missing:
             raise ValueError(f"start has no value of {', '.join(sorted(missing))}")
-        state = [sp.Symbol(f"state_{k}") for k in range(len(rates))]
+        state = [sp.Symbol(f"state_{k}") for k in range(len(rates))]  # whatever the assumptions of the symbols are
         places = dict(zip(rates, state))
-        return sp.lambdify([t, state], [one.subs({s: places[s.name] for s in one.free_symbols if s.name in places})
-                                        for one in settled])
+        return sp.lambdify([t, state], [one.subs({s: places.get(s.name, s) for s in one.free_symbols}) for one in given])
 
-    def crossing(expression: Any, ends: bool) -> Any:
-        value = callable_of([expression])
+    def crossing(name: str, expression: Any) -> Any:
+        value = numeric([expression])
 
         def event(time: float, state: Any) -> Any:
             return value(time, state)[0]
 
-        event.terminal = ends
+        event.terminal = name in stop
         return event
 
-    events, stop = dict(events or {}), [stop] if isinstance(stop, str) else list(stop)
-    solved = solve_ivp(callable_of(rates.values()), (begin, until), [float(known[name]) for name in rates], method="DOP853",
-                       rtol=accuracy, atol=accuracy * 1e-3, dense_output=True,
-                       events=[crossing(expression, name in stop) for name, expression in events.items()])
+    events, stop = events or {}, [stop] if isinstance(stop, str) else list(stop)
+    solved = solve_ivp(numeric(rates.values()), (begin, until), [float(settled(values[name])) for name in rates], method="DOP853",
+                       rtol=accuracy, atol=accuracy * 1e-3, dense_output=True, events=[crossing(*one) for one in events.items()])
     if not solved.success:
-        raise ValueError(f"the motion could not be followed beyond t = {solved.t[-1]}: {solved.message}")
+        raise ValueError(f"the motion could not be followed beyond t = {solved.t[-1]:g}: {solved.message}")
     times = np.linspace(begin, solved.t[-1], samples)
     return Solution(times, dict(zip(rates, solved.sol(times))), dict(zip(events, solved.t_events or [])))

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from functools import partial
 from typing import Any
 
-from ._expressions import RELATION_TEXTS, exact, from_text, sp, to_text
+from ._expressions import RELATION_TEXTS, exact, sp, to_text
 
 
 @dataclass(frozen=True)
@@ -68,17 +68,6 @@ class Derivation:
             "steps": steps, "given": [[text(name), text(value)] for name, value in self.given],
             "assumption": self.assuming, "order": self.order, "small": ", ".join(text(symbol) for symbol in self.small),
             "stated": not steps}
-
-    @classmethod
-    def from_json(cls, data: Mapping[str, Any], declared: Mapping[str, Any]) -> Derivation:
-        """Returns the derivation that derivations.json has, with the symbols that are declared."""
-        def sides(of: Mapping[str, Any]) -> tuple[Any, str, Any]:
-            return from_text(of["left"], declared), of["relation"], from_text(of["right"], declared)
-
-        steps = tuple(Step(one["says"], *(sides(one) if "left" in one else ()), cites=one.get("cites")) for one in data["steps"])
-        given = tuple((from_text(name, declared), from_text(value, declared)) for name, value in data["given"])
-        return cls(*sides(data), steps, given, data["assumption"], data["order"],
-                   tuple(from_text(name, declared) for name in data["small"].split(",") if name))
 
 
 def derived(left: Any, right: Any = None, *steps: Step, relation: str = "=", given: Any = (), assuming: Any = "",

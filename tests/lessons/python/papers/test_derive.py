@@ -112,9 +112,9 @@ def test_a_file_without_a_paper_is_refused(folder):
 
 
 @pytest.mark.parametrize("line, error", [
-    ("a = ", "Invalid value"), ("a = 3", "the symbol a must be a table"), ("a = { rates = 3 }", "the symbol a must be a table such"),
+    ("a = ", "Invalid value"), ("a = 3", "a must be a table"), ("a = { rates = 3 }", "a must be a table such"),
     ("a = { range = '0, 1' }", "the range of a must be written \"(lower, upper)\""),
-    ("a = { range = '(2x, 3)' }", "the range of a: '2x' cannot be read"), ("a = { range = '(a, 3)' }", "the range of a depends on")])
+    ("a = { range = '(2x, 3)' }", "the range of a: '2x' cannot be read")])
 def test_symbols_that_cannot_be_read_are_refused_with_their_line(folder, line, error):
     folder.write("paper.toml", PAPER + line + "\n")
     with pytest.raises(ValueError) as raised:
