@@ -19,7 +19,8 @@ foreach(header ${public_headers})
   get_filename_component(folder ${header} DIRECTORY)
   install(FILES ${header} DESTINATION include/rederive/${folder} COMPONENT development)
 endforeach()
-install(FILES ${PROJECT_BINARY_DIR}/emitted/rocking_block.hpp DESTINATION include/rederive/emitted COMPONENT development)
+install(FILES ${PROJECT_BINARY_DIR}/emitted/rocking_block.hpp ${PROJECT_BINARY_DIR}/emitted/rocking_block_symbols.hpp
+        DESTINATION include/rederive/emitted COMPONENT development)
 
 configure_file(.setup/RederiveConfig.cmake.in RederiveConfig.cmake @ONLY)
 # The same for the build folder, for tests/fuzz.

@@ -17,10 +17,10 @@ namespace {
 const std::set<std::string> engine{"language", "numbers", "identity", "sign", "decide"};
 
 /// The folders that are about any paper.
-const std::set<std::string> knows_no_paper{"language",      "numbers",   "identity",     "sign",
-                                           "decide",        "mechanics", "program",      "paper",
-                                           "emit",          "kernel",    "lessons/page", "lessons/exercises",
-                                           "lessons/ledger"};
+const std::set<std::string> knows_no_paper{
+    "language",     "numbers",           "identity",       "sign",          "decide",
+    "mechanics",    "program",           "paper",          "emit",          "kernel",
+    "lessons/page", "lessons/exercises", "lessons/ledger", "lessons/papers"};
 
 /// The folders that a folder may include, beside itself and those that they may include.
 const std::map<std::string, std::set<std::string>> allowed{
@@ -63,6 +63,7 @@ const std::map<std::string, std::string> namespaces{{"language", "rederive::lang
                                                     {"lessons/exercises", "rederive::classroom"},
                                                     {"lessons/illustrations", "rederive::illustrations"},
                                                     {"lessons/python", "rederive::python"},
+                                                    {"lessons/papers", "rederive::papers"},
                                                     {"lessons/rocking_block", "rederive::rocking_block"}};
 
 /// Whether `folder` may include `other`.
@@ -75,6 +76,11 @@ bool may_include(const std::string& folder, const std::string& other) {
 
 using Graph = std::map<std::string, std::set<std::string>>;
 
+/// Whether a source belongs to a paper that ships, and is written as users write theirs.
+bool is_of_a_user(const fs::path& file) {
+  return file.parent_path().parent_path() == fs::path(REDERIVE_SOURCE) / "lessons/papers";
+}
+
 /// The source files of the product: "derivations/decide/decide.cpp" → what it includes.
 const Graph& includes() {
   static const Graph graph = [] {
@@ -84,6 +90,7 @@ const Graph& includes() {
       for (const auto& entry : fs::recursive_directory_iterator(fs::path(REDERIVE_SOURCE) / top)) {
         const std::string extension = entry.path().extension();
         if (extension != ".hpp" && extension != ".cpp") continue;
+        if (is_of_a_user(entry.path())) continue;
         const fs::path name = fs::relative(entry.path(), REDERIVE_SOURCE);
         std::set<std::string>& found = result[name];
         const std::string text = read_file(entry.path());

@@ -7,6 +7,7 @@
 #include <derivations/rocking_block/overturning_after_one_impact.hpp>
 #include <derivations/rocking_block/paper.hpp>
 #include <derivations/rocking_block/sliding.hpp>
+#include <derivations/rocking_block/symbols.hpp>
 
 namespace rederive::rocking_block {
 using namespace program;
@@ -32,22 +33,10 @@ Derivations all_derivations() {
 }
 
 Paper make_paper() {
-  Paper paper{.title = "On the Overturning Instability of a Rectangular Rigid Block Under Ground Excitation",
+  Paper paper{.title = title,
               .equations = data_folder() / "equations.toml",
               .derivations = all_derivations(),
-              .look_alikes = {{"b", "h"},
-                              {"h", "b"},
-                              {"R", "h"},
-                              {"J_o", "J_c"},
-                              {"J_c", "J_o"},
-                              {"p", "omega_p"},
-                              {"omega_p", "p"},
-                              {"alpha", "theta"},
-                              {"psi", "alpha"},
-                              {"T_ex", "t_i"},
-                              {"t_i", "T_ex"},
-                              {"x", "y"},
-                              {"y", "x"}},
+              .look_alikes = look_alikes,
               .has_names_in_words = true,
               .theorems = "theorems.toml",
               .emission = emission,
