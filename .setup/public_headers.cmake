@@ -40,7 +40,6 @@ set(public_headers
   derivations/program/surroundings.hpp
   derivations/rocking_block/emission.hpp
   derivations/rocking_block/paper.hpp
-  derivations/rocking_block/symbols.hpp
   lessons/exercises/course.hpp
   lessons/illustrations/drawings.hpp
   lessons/illustrations/experiments.hpp

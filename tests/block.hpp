@@ -7,7 +7,7 @@
 #include <derivations/paper/prove_bounded.hpp>
 #include <derivations/rocking_block/emission.hpp>
 #include <derivations/rocking_block/paper.hpp>
-#include <derivations/rocking_block/symbols.hpp>
+#include <emitted/rocking_block_symbols.hpp>
 #include <nlohmann/json.hpp>
 
 namespace rederive::test {

@@ -5,7 +5,7 @@
 #include <derivations/mechanics/plane.hpp>
 #include <derivations/paper/derivations.hpp>
 #include <derivations/paper/steps.hpp>
-#include <derivations/rocking_block/symbols.hpp>
+#include <emitted/rocking_block_symbols.hpp>
 
 namespace rederive::rocking_block {
 

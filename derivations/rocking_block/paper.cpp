@@ -7,7 +7,7 @@
 #include <derivations/rocking_block/overturning_after_one_impact.hpp>
 #include <derivations/rocking_block/paper.hpp>
 #include <derivations/rocking_block/sliding.hpp>
-#include <derivations/rocking_block/symbols.hpp>
+#include <emitted/rocking_block_symbols.hpp>
 
 namespace rederive::rocking_block {
 using namespace program;

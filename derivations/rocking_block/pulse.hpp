@@ -3,7 +3,7 @@
 
 #include <derivations/paper/derivations.hpp>
 #include <derivations/paper/steps.hpp>
-#include <derivations/rocking_block/symbols.hpp>
+#include <emitted/rocking_block_symbols.hpp>
 
 namespace rederive::rocking_block {
 

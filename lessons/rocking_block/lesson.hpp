@@ -6,7 +6,7 @@
 
 #include <cmath>
 #include <derivations/rocking_block/paper.hpp>
-#include <derivations/rocking_block/symbols.hpp>
+#include <emitted/rocking_block_symbols.hpp>
 #include <lessons/illustrations/drawings.hpp>
 #include <lessons/illustrations/experiments.hpp>
 #include <lessons/page/run_lesson.hpp>

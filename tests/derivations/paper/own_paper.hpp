@@ -6,7 +6,7 @@
 #include <unistd.h>
 
 #include <derivations/rocking_block/paper.hpp>
-#include <derivations/rocking_block/symbols.hpp>
+#include <emitted/rocking_block_symbols.hpp>
 #include <functional>
 #include <lessons/ledger/run_ledger.hpp>
 #include <string>
