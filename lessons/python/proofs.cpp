@@ -64,6 +64,8 @@ auto judged(const Source& source, Report report) {
         entries.push_back(judge(paper, row));
       } catch (const SyntaxError& error) {
         throw BadInput("row " + row.id + ": " + explain(error, row.printed));
+      } catch (const std::invalid_argument& error) {
+        throw BadInput("row " + row.id + ": " + error.what());
       }
       const py::gil_scoped_acquire locked;
       is_interrupted = PyErr_CheckSignals() != 0;
@@ -75,8 +77,13 @@ auto judged(const Source& source, Report report) {
   return result;
 }
 
+/// Returns a statement as LaTeX; "" if there is none, and for a row whose text cannot be read.
 std::string latex(const std::string& statement, const Symbols& symbols) {
-  return statement.empty() ? "" : print(parse_statement(statement, symbols), Notation::latex, symbols);
+  try {
+    return statement.empty() ? "" : print(parse_statement(statement, symbols), Notation::latex, symbols);
+  } catch (const SyntaxError&) {
+    return "";
+  }
 }
 
 /// What Python is told of a row: its JSON, what is printed (or stated) and what is derived as LaTeX.

@@ -207,7 +207,7 @@ class _Reader:
     """Reads one side of a relation: Python parses it, after names were marked by a '_', so that none is a word of Python."""
 
     def __init__(self, text: str, known: Mapping[str, Any]) -> None:
-        self.text, self.known = text.strip(), known
+        self.text, self.known = " ".join(text.split()), known
         self.source = re.sub(r"\b(?<![\d.])[A-Za-z_]\w*", r"\g<0>_", self.text.replace("^", "**"))
 
     def read(self) -> Any:

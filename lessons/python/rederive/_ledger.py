@@ -179,7 +179,8 @@ class Ledger(list[Row]):
             return "<tr>" + "".join(f'<{kind} style="text-align: left">{text}</{kind}>' for text in texts) + "</tr>"
 
         rows = [cells("td", escape(row.id), escape(row.section),
-                      *(f"${escape(formula)}$" if formula else "" for formula in (row.printed_latex, row.derived_latex)),
+                      *(f"${escape(latex)}$" if latex else escape(text or "") for latex, text in
+                        ((row.printed_latex, row.printed), (row.derived_latex, row.derived))),
                       escape(row.verdict.replace("_", " "))) for row in self]
         return f"<table>{cells('th', 'row', 'section', 'printed', 'derived', 'verdict')}{''.join(rows)}</table>"
 

@@ -150,7 +150,7 @@ def test_a_text_that_cannot_be_read_is_refused(text):
 def test_numbers_are_exact_and_relations_stay():
     assert from_text("0.1*x + 1e-3") == x / 10 + sp.Rational(1, 1000)
     assert from_text("x = x") == sp.Eq(x, x, evaluate=False)
-    assert from_text("x <= 2*x") == sp.Le(x, 2 * x)
+    assert from_text("x <=\n  2\n  *x") == sp.Le(x, 2 * x)
     assert from_text("x < y < 1", [x, y]) == sp.And(x < y, y < 1)
 
 

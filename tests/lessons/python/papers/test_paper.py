@@ -1,5 +1,6 @@
 """Paper: symbols, mechanics, the ledger of a folder, and solutions."""
 import json
+import shutil
 import subprocess
 import sys
 from pathlib import Path
@@ -172,6 +173,20 @@ def test_equations_are_solved_together_and_driven(folder):
         paper.solve(["1", "2"], {theta: 0}, 5)
     with pytest.raises(ValueError, match="row 9 is not derived"):
         paper.solve("9", {}, 1)
+
+
+def test_the_double_pendulum_keeps_its_energy(tmp_path):
+    shipped = Path(__file__).parents[4] / "lessons/papers/double-pendulum"
+    folder = Path(shutil.copytree(shipped, tmp_path / "double-pendulum"))
+    paper = Paper(folder)
+    names = paper.symbols("theta_1 theta_2 theta_1dot theta_2dot m_1 m_2 L_1 L_2 g")
+    start = dict(zip(names, [2, 1, 0, 0, 1, 2, 1, sp.Rational(1, 2), 9.81]))
+    equations, solved = (paper.solve(rows, start, 5) for rows in (["5", "6"], ["7", "8"]))
+    np.testing.assert_allclose(equations["theta_1"], solved["theta_1"], atol=1e-6)
+    ledger = paper.ledger()
+    energy = ledger.row("3").derived_expression.rhs + ledger.row("4").derived_expression.rhs
+    values = sp.lambdify(names[:4], energy.subs(dict(zip(names[4:], list(start.values())[4:]))))(*(solved[q] for q in names[:4]))
+    np.testing.assert_allclose(values, values[0], atol=1e-5)
 
 
 def test_a_paper_of_15_rows_starts_nothing_that_it_does_not_need(folder):
