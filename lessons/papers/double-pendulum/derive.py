@@ -141,7 +141,7 @@ def equal_squares():
 
 def equal(which, frequency, words):
     square = equal_squares()[which]
-    return derived(frequency, sp.sqrt(square),
+    return derived(frequency, sp.sqrt(square, evaluate=False),
                    cite("11", "With $m_2 = m_1$ and both lengths $L$, # is a quadratic equation for $omega^2$"),
                    step(words, frequency**2, square))
 
