@@ -110,7 +110,7 @@ TEST_CASE("a page a student says what was answered, what is wrong with it, a hin
   CHECK(contains(read_file(room.pages / "carl.html"), "empty folder"));
   room.grade({"--feedback", room.pages.string() + "/", "--deadline", "2026-04-01"});
   CHECK(read_file(room.pages / "anna.html") == anna);
-  // a folder that is named from where one stands
+  // a folder that is named relative to the current one
   const std::string here = "cd " + quoted(room.folder.path) + " && " + quoted(REDERIVE_PROGRAMS "/exercises");
   CHECK(
       run_program("/bin/sh", {"-c", here + " grade class --feedback back --deadline 2026-04-01"}).exit_code ==

@@ -99,7 +99,7 @@ TEST_CASE("help is for the variant that was tried last") {
             .out.ends_with("cos(alpha - theta) - R*cos(alpha)\n"));
   CHECK(contains(read_file(desk.progress), "\tseed " + left + "\n"));
   CHECK(desk.run({"check", id, "R*(cos(alpha - theta) - cos(alpha))"}).exit_code ==
-        0);  // without one: as it stands
+        0);  // without a seed: unchanged
   CHECK(!contains(read_file(desk.progress), "\tseed"));
   CHECK(desk.run({"solution", id}).out.ends_with("y_c = R*cos(alpha - theta) - R*cos(alpha)\n"));
   CHECK(contains(read_file(desk.progress), "given_up"));  // what was shown is not solved

@@ -92,7 +92,7 @@ class LatexReader {
                                : make_tree(Kind::product, "", factors, std::vector<bool>(factors.size()));
   }
 
-  /// What stands behind ^: a group, or one character.
+  /// Reads what follows ^: a group, or one character.
   Tree exponent() {
     skip_blanks();
     return next_is("{") ? group() : LatexReader(std::string(1, text_.at(at_++))).whole();
@@ -136,7 +136,7 @@ class LatexReader {
     return nullptr;
   }
 
-  /// The longest name that stands there.
+  /// Returns the longest name at this place.
   Tree symbol_at(std::size_t place) {
     const std::size_t before = std::exchange(at_, place);
     std::string best = "", name;

@@ -1,6 +1,6 @@
-// The workbench in a browser: its motions are those of `rocking response`, its map is that of `rocking map`,
-// and it makes no request. probe.html asks the scripts of the page; the document of its frame is open until
-// all workers are done, and so long the browser waits.
+// Tests the workbench in a browser: it shows the motions of `rocking response` and the map of `rocking map`,
+// and makes no request. probe.html asks the scripts of the page; the document of its frame is open until all
+// workers are done, and the browser waits until then.
 #include <doctest/doctest.h>
 
 #include <random>

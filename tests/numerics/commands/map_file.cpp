@@ -60,7 +60,7 @@ std::string left_part(const fs::path& file, const Arguments& call = small) {
   return read_file(file.string() + ".part");
 }
 
-/// A column as it stands in FILE.part: a mark, a checksum, codes.
+/// A column of FILE.part: a mark, a checksum, codes.
 std::string column_in_part(std::uint32_t checksum_of_head, std::uint64_t column, const std::string& codes) {
   return "done" + as_bytes(crc_of(as_bytes(checksum_of_head) + as_bytes(column) + codes)) + codes;
 }
