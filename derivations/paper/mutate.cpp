@@ -45,12 +45,10 @@ const std::map<std::string, std::string> other_function{
 
 struct Walk {
   const Paper& paper;
-  std::function<void(const Tree&, Edit, std::string)> emit;  ///< new side, slip, what
+  std::function<void(const Tree&, Edit)> emit;  ///< takes the new side
 
   void visit(const Tree& node, const Rebuild& rebuild) {
-    const auto put = [&](const Tree& tree, Edit slip, const std::string& what) {
-      emit(rebuild(tree), slip, what);
-    };
+    const auto put = [&](const Tree& tree, Edit slip) { emit(rebuild(tree), slip); };
     switch (node->kind) {
       case Kind::number:
         number(*node, put);
@@ -59,22 +57,20 @@ struct Walk {
         symbol(*node, put);
         break;
       case Kind::negative:
-        put(node->children[0], Edit::sign, "a leading minus");
+        put(node->children[0], Edit::sign);
         break;
       case Kind::sum:
         sum(node, put);
         break;
       case Kind::product:
-        for (std::size_t k = 0; k < node->children.size(); ++k)
-          put(without(node, k), Edit::factor, "the factor " + print(node->children[k]));
+        for (std::size_t k = 0; k < node->children.size(); ++k) put(without(node, k), Edit::factor);
         break;
       case Kind::power:
         power(node, put);
         break;
       case Kind::call:
         if (const auto other = other_function.find(node->text); other != other_function.end())
-          put(make_tree(Kind::call, other->second, node->children), Edit::function,
-              other->second + " for " + node->text);
+          put(make_tree(Kind::call, other->second, node->children), Edit::function);
         break;
     }
     for (std::size_t k = 0; k < node->children.size(); ++k)
@@ -87,9 +83,7 @@ struct Walk {
     const long value = std::stol(node.text);
     if (value == 0) return;
     for (const long other : {value + 1, 2 * value})
-      if (other != value)
-        put(make_tree(Kind::number, std::to_string(other)), Edit::coefficient,
-            node.text + " read as " + std::to_string(other));
+      if (other != value) put(make_tree(Kind::number, std::to_string(other)), Edit::coefficient);
   }
   template <class Put>
   void symbol(const Node& node, const Put& put) {
@@ -98,12 +92,11 @@ struct Walk {
       if (name.size() > std::string(dots).size() && name.ends_with(dots)) {
         const std::string less =
             name.substr(0, name.size() - std::string(dots).size()) + (dots[1] == 'd' ? "dot" : "");
-        if (paper.symbols.find(less) != nullptr)
-          put(make_tree(Kind::symbol, less), Edit::dot, "a lost dot of " + name);
+        if (paper.symbols.find(less) != nullptr) put(make_tree(Kind::symbol, less), Edit::dot);
         break;
       }
     if (const auto other = paper.look_alikes.find(name); other != paper.look_alikes.end())
-      put(make_tree(Kind::symbol, other->second), Edit::symbol, other->second + " for " + name);
+      put(make_tree(Kind::symbol, other->second), Edit::symbol);
   }
   template <class Put>
   void sum(const Tree& node, const Put& put) {
@@ -113,14 +106,13 @@ struct Walk {
         flipped.children[0] = make_tree(Kind::negative, "", {node->children[0]});
       else
         flipped.inverse[k] = !flipped.inverse[k];
-      put(std::make_shared<const Node>(std::move(flipped)), Edit::sign,
-          "the sign of term " + std::to_string(k + 1));
-      put(without(node, k), Edit::term, "term " + std::to_string(k + 1));
+      put(std::make_shared<const Node>(std::move(flipped)), Edit::sign);
+      put(without(node, k), Edit::term);
     }
   }
   template <class Put>
   void power(const Tree& node, const Put& put) {
-    put(node->children[0], Edit::square, "the power of " + print(node->children[0]));
+    put(node->children[0], Edit::square);
   }
 };
 
@@ -134,25 +126,25 @@ std::string turned(const std::string& op) {
 std::vector<Mutant> mutants(const Relation& printed, const Paper& paper) {
   std::vector<Mutant> result;
   std::set<std::string> seen{print(printed)};
-  const auto add = [&](Relation relation, Edit slip, std::string what) {
-    if (seen.insert(print(relation)).second) result.push_back({std::move(relation), slip, std::move(what)});
+  const auto add = [&](Relation relation, Edit slip) {
+    if (seen.insert(print(relation)).second) result.push_back({std::move(relation), slip});
   };
   for (std::size_t side = 0; side < printed.sides.size(); ++side) {
-    Walk walk{paper, [&](const Tree& tree, Edit slip, std::string what) {
+    Walk walk{paper, [&](const Tree& tree, Edit slip) {
                 Relation mutant = printed;
                 mutant.sides[side] = tree;
-                add(std::move(mutant), slip, std::move(what));
+                add(std::move(mutant), slip);
               }};
     walk.visit(printed.sides[side], [](const Tree& tree) { return tree; });
     const Kind kind = printed.sides[side]->kind;
     if (side > 0 && kind != Kind::sum && kind != Kind::negative)
-      walk.emit(make_tree(Kind::negative, "", {printed.sides[side]}), Edit::sign, "the sign of the whole");
+      walk.emit(make_tree(Kind::negative, "", {printed.sides[side]}), Edit::sign);
   }
   for (std::size_t k = 0; k < printed.operators.size(); ++k)
     if (turned(printed.operators[k]) != printed.operators[k]) {
       Relation mutant = printed;
       mutant.operators[k] = turned(mutant.operators[k]);
-      add(std::move(mutant), Edit::relation_sign, "the inequality turned round");
+      add(std::move(mutant), Edit::relation_sign);
     }
   return result;
 }

@@ -12,7 +12,6 @@ enum class Edit { sign, coefficient, function, square, factor, term, symbol, dot
 struct Mutant {
   language::Relation relation;
   Edit slip;
-  std::string what;  ///< "the sign of term 2"
 };
 
 /// Every single slip in `printed`, in a fixed order: a sign, a coefficient, sin for cos, sinh for cosh, a
