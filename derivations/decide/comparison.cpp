@@ -148,7 +148,7 @@ std::optional<Fraction> factor_between(const Comparison& setting, const Atom& le
   const Signs wanted = left.signs == Signs::zero() ? Signs::nonzero() : Signs::positive();
   const auto is_proved = [&](const Fraction& part) {
     const auto found = prove_signs(ring, part, wanted);
-    if (found) all.rest_on({found->sums.empty() ? "identity" : "sign", {}, in_words(*found, setting)});
+    if (found) all.rest_on({found->sums.empty() ? By::identity : By::sign, {}, in_words(*found, setting)});
     return found.has_value();
   };
   for (const bool is_reciprocal : {false, true}) {
@@ -165,7 +165,7 @@ std::optional<Fraction> factor_between(const Comparison& setting, const Atom& le
 std::optional<Sameness> same_link_by_link(Comparison& setting, const std::vector<Atom>& left,
                                           const std::vector<Atom>& right) {
   if (left.empty() || left.size() != right.size()) return std::nullopt;
-  Sameness all{"identity", 1};
+  Sameness all{By::identity, 1};
   for (std::size_t k = 0; k < left.size(); ++k) {
     const Atom &a = left[k], &b = right[k];
     if (a.signs != b.signs || a.value.is_zero() != b.value.is_zero()) return std::nullopt;
@@ -197,7 +197,7 @@ std::set<Polynomial> zero_set(const Ring& ring, const Fraction& value) {
 /// Proves that all claims follow from a statement, in one case for each factor of an equation.
 std::optional<Sameness> all_follow(Comparison& setting, const std::vector<Atom>& from,
                                    const std::vector<Atom>& claims) {
-  Sameness all{"identity"};
+  Sameness all{By::identity};
   const auto by_signs = [&](const std::vector<Atom>& case_of, const Atom& claim) {
     Ring ring = setting.ring;  // with what the others say
     for (const Atom& atom : case_of)
@@ -205,7 +205,7 @@ std::optional<Sameness> all_follow(Comparison& setting, const std::vector<Atom>&
     for (const Atom& atom : case_of) ring.learn(atom.value, atom.signs);
     auto found = prove_signs(ring, claim.value, claim.signs);
     if (!found) found = prove_signs(ring, 0, Signs::zero() & Signs::positive());
-    if (found) all.rest_on({"sign", {}, in_words(*found, setting)});
+    if (found) all.rest_on({By::sign, {}, in_words(*found, setting)});
     return found.has_value();
   };
   const auto in_cases = [&](std::size_t k, const Atom& claim) {

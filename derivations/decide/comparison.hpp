@@ -2,6 +2,7 @@
 #pragma once
 
 #include <derivations/decide/problem.hpp>
+#include <derivations/decide/proof.hpp>
 #include <derivations/identity/translator.hpp>
 #include <derivations/language/print.hpp>
 #include <derivations/sign/certificate.hpp>
@@ -39,12 +40,12 @@ std::vector<std::vector<identity::Atom>> readings_of(Comparison& setting, const 
                                                      const Translated& translated);
 
 struct Sameness {
-  std::string by;                                 ///< "identity" or "sign"
+  By by;                                          ///< identity or sign
   std::optional<identity::Fraction> factor = {};  ///< for two relations, left = factor * right
   std::vector<std::string> certificate = {};      ///< as in proof.hpp
   /// Adds what a part rests on.
   void rest_on(const Sameness& part) {
-    if (part.by == "sign") by = part.by;
+    by = std::max(by, part.by);
     certificate.insert(certificate.end(), part.certificate.begin(), part.certificate.end());
   }
 };

@@ -21,7 +21,7 @@ constexpr Effort few{6, 1, 200}, many{310, 24, 1800};
 
 Proof undecided(std::string reason) { return {.reason = std::move(reason)}; }
 
-Proof refuted(const Witness& witness, const char* reason, const char* by) {
+Proof refuted(const Witness& witness, const char* reason, By by) {
   return {.verdict = Verdict::refuted, .witness = witness, .reason = reason, .by = by};
 }
 
@@ -30,8 +30,8 @@ Proof proved(const Comparison& setting, const Sameness& found) {
   Proof proof{.verdict = Verdict::proved, .side_conditions = setting.side_conditions, .by = found.by};
   proof.certificate = found.certificate;
   if (found.factor) proof.factor = setting.text_of(*found.factor);
-  if (is_expression && found.by == "identity") proof.factor = "1";
-  proof.reason = found.by == "sign"    ? "each follows from the other by the signs of products"
+  if (is_expression && found.by == By::identity) proof.factor = "1";
+  proof.reason = found.by == By::sign  ? "each follows from the other by the signs of products"
                  : is_expression       ? "the numerator of the difference vanishes identically"
                  : proof.factor == "1" ? "the two are the same, identically"
                  : found.factor        ? "the two differ by a factor that is neither 0 nor infinite"
@@ -48,7 +48,7 @@ std::optional<Sameness> same_in_cases(const Problem& problem, Comparison& settin
   const auto bars = std::ranges::find(generators.begin(), end, "fabs", &Generator::function);
   if (bars == end || depth == 0) return std::nullopt;
   const Tree u = to_tree(setting.ring.meaning_of(bars->of), problem.symbols);
-  Sameness both{"identity"};
+  Sameness both{By::identity};
   for (const char* op : {">=", "<="}) {
     Problem part = problem;
     part.assumptions.push_back({{u, zero()}, {op}});
@@ -93,7 +93,7 @@ Proof decide_problem(const Problem& problem, bool by_points) {
       !problem.left.operators.empty() && names_of(problem.left).empty() && names_of(problem.right).empty();
   Search tried = search(problem, is_of_numbers ? many : few);
   if (is_of_numbers && tried.agreed > 0)
-    return {.verdict = Verdict::proved, .reason = "both are decided in ball arithmetic", .by = "sign"};
+    return {.verdict = Verdict::proved, .reason = "both are decided in ball arithmetic", .by = By::sign};
   std::optional<Proof> proof;
   std::string missing =
       "the sides agree wherever they were compared, but neither the difference vanishes identically nor a "
@@ -112,14 +112,15 @@ Proof decide_problem(const Problem& problem, bool by_points) {
       missing = error.what();
       if (problem.left.operators == problem.right.operators &&
           std::ranges::equal(problem.left.sides, problem.right.sides, is_same))  // with values together
-        proof = {.verdict = Verdict::proved, .factor = "1", .reason = "they are the same", .by = "identity"};
+        proof = {
+            .verdict = Verdict::proved, .factor = "1", .reason = "they are the same", .by = By::identity};
     }
   if (!tried.witness && (proof ? tried.agreed == 0 : by_points)) tried = search(problem, many);
   if (tried.witness && !by_points) return undecided("it does not hold everywhere");
-  if (tried.witness) return refuted(*tried.witness, "the two sides differ at the witness", "points");
+  if (tried.witness) return refuted(*tried.witness, "the two sides differ at the witness", By::points);
   if (tried.agreed == 0 && tried.lacking && by_points && is_contradictory(problem))
     return refuted(*tried.lacking, "one side never has a value where the other one has, as at the witness",
-                   "sign");
+                   By::sign);
   if (tried.agreed == 0) return undecided("no point was found at which both sides have a value");
   return proof.value_or(undecided(missing));
 }

@@ -267,7 +267,7 @@ Proof decide_to_order(const Relation& left, const Relation& right, const std::ve
       holds.push_back({{c.tree, zero()}, {c.signs == Signs::nonzero() ? "!=" : ">"}});
     proof = decide(a, b, symbols, {}, holds);
     if (proof.verdict == Verdict::proved || proof.verdict == Verdict::proved_under) {
-      proof.verdict = Verdict::approximation, proof.by = "expansion";
+      proof.verdict = Verdict::approximation, proof.by = By::expansion;
       proof.reason = "the series in the small symbols are the same up to this order";
       for (Relation& condition : relations_of(expansion->conditions, known.ring, symbols))
         proof.side_conditions.push_back(std::move(condition));
@@ -276,7 +276,7 @@ Proof decide_to_order(const Relation& left, const Relation& right, const std::ve
                    "the series would differ, but an assumption ties what is small to other symbols; say "
                    "what changes"};
     } else if (proof.verdict == Verdict::refuted) {
-      proof.by = "expansion", proof.reason = "the series differ at the witness, which shows their values";
+      proof.by = By::expansion, proof.reason = "the series differ at the witness, which shows their values";
     }
   } catch (const std::exception& error) {
     proof.reason = in_plain_words(error);

@@ -7,7 +7,6 @@ namespace rederive::decide {
 using namespace language;
 using namespace numbers;
 using namespace identity;
-
 using cln::cl_RA;
 
 Truth truth_at(const Relation& relation, const Point& point, long bits) {

@@ -25,15 +25,18 @@ struct Witness {
   std::string solves = {};  ///< the equation of that zero: "y - cos(y) = 0"
 };
 
+/// What a proof rests on.
+enum class By { nothing, identity, sign, points, expansion };
+
 struct Proof {
   Verdict verdict = Verdict::undecided;
   std::string factor = {};  ///< left = factor * right, for relations; empty if there is none
   std::vector<language::Relation> side_conditions = {};  ///< w != 0
   std::optional<Witness> witness = {};                   ///< if refuted, and only then
   std::string reason = {};                               ///< one line for a reader; says why, if undecided
-  std::string by = {};  ///< "identity", "sign", "points", "expansion"; empty if undecided
-  /// For "sign", identities such as "2*(x)*(y - 1) + 1*(z) = 0" in which no product would be negative and one
-  /// positive if the claim were false; "… where u >= 0" limits the case. Empty if ranges alone suffice.
+  By by = By::nothing;                                   ///< nothing if undecided
+  /// For By::sign, identities such as "2*(x)*(y - 1) + 1*(z) = 0" in which no product would be negative and
+  /// one positive if the claim were false; "… where u >= 0" limits the case. Empty if ranges alone suffice.
   std::vector<std::string> certificate = {};
 };
 

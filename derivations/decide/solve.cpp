@@ -8,7 +8,6 @@
 namespace rederive::decide {
 using namespace language;
 using namespace numbers;
-
 using cln::cl_RA;
 
 namespace {

@@ -65,14 +65,15 @@ Tree residual(const Relation& r) {
   return r.operators[0][0] == '>' ? difference(r.sides[1], r.sides[0]) : difference(r.sides[0], r.sides[1]);
 }
 
-/// Returns the last step of a script: up to a factor, or link by link.
-std::string conclusion(const Problem& problem, Script& script) {
+/// Returns the last step of a script that goes by a factor; nothing if it has to go link by link.
+std::optional<std::string> conclusion(const Problem& problem, Script& script) {
   const Relation &left = problem.left, &right = problem.right;
   if (left.operators.empty()) return script.identity();
   const auto kind = [](const Relation& r) { return r.operators[0].substr(is_equation(r) ? 0 : 1); };
-  if (left.operators.size() != 1 || right.operators.size() != 1 || kind(left) != kind(right)) return "links";
+  if (left.operators.size() != 1 || right.operators.size() != 1 || kind(left) != kind(right))
+    return std::nullopt;
   const auto factor = script.factor(residual(left), residual(right));
-  if (!factor) return "links";
+  if (!factor) return std::nullopt;
   const std::string by = is_equation(left) ? "eq_by" : kind(left).empty() ? "lt_by" : "le_by";
   return "apply (" + by + " (" + *factor + ")); [ " + (is_equation(left) ? "nz" : "pos") + " | " +
          script.identity() + " ]";
@@ -165,8 +166,8 @@ std::string lemma(const std::string& name, const Question& question, const Proof
   }
   text += q.left.operators.empty() ? coq_text(q.left.sides[0]) + " = " + coq_text(q.right.sides[0])
                                    : "(" + coq_text(q.left) + " <->\n   " + coq_text(q.right) + ")";
-  return text + ".\nProof.\n  start.\n" + script.steps() + steps + "  " + conclusion(problem, script) +
-         ".\nQed.\n";
+  return text + ".\nProof.\n  start.\n" + script.steps() + steps + "  " +
+         conclusion(problem, script).value_or("links") + ".\nQed.\n";
 }
 
 bool has_script(const Question& q) try {
@@ -174,13 +175,13 @@ bool has_script(const Question& q) try {
   Script script(problem);
   if (q.left.operators.empty())
     return script.factor(difference(problem.left.sides[0], problem.right.sides[0]), zero()) == "1";
-  return conclusion(problem, script) != "links";
+  return conclusion(problem, script).has_value();
 } catch (const Undecidable&) {
   return false;
 }
 
 std::string refutation(const std::string& name, const Question& question, const Proof& proof) {
-  if (proof.by == "sign") throw Undecidable("there is no script for a side that has no value");
+  if (proof.by == By::sign) throw Undecidable("there is no script for a side that has no value");
   const Statement s(question, proof);
   const Question& q = s.q;
   const std::map<std::string, Tree> at = values_at(*proof.witness, s);

@@ -36,7 +36,7 @@ Json to_json(const Proof& proof) {
   for (const Relation& condition : proof.side_conditions) conditions.push_back(print(condition));
   return {{"verdict", to_string(proof.verdict)}, {"factor", or_null(proof.factor)},
           {"side_conditions", conditions},       {"witness", witness},
-          {"reason", or_null(proof.reason)},     {"by", or_null(proof.by)},
+          {"reason", or_null(proof.reason)},     {"by", or_null(word_of(proof.by))},
           {"certificate", proof.certificate}};
 }
 

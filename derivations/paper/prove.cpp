@@ -247,6 +247,11 @@ std::string word_of(Mistake mistake) {
   return words[static_cast<int>(mistake)];
 }
 
+std::string word_of(By by) {
+  constexpr const char* words[] = {"", "identity", "sign", "points", "expansion"};
+  return words[static_cast<int>(by)];
+}
+
 std::string explain(const SyntaxError& error, std::string_view text) {
   constexpr std::size_t before = 80, after = 60;  // bytes
   const std::size_t position = std::min(error.position, text.size());

@@ -35,6 +35,8 @@ decide::Proof decide(const Paper& paper, const ProveRequest& request);
 
 /// The stable word under which a mistake is tallied: "unknown_symbol".
 std::string word_of(language::Mistake mistake);
+/// What a proof rests on: "identity" …; "" for nothing.
+std::string word_of(decide::By by);
 
 /// The message, the line and a caret under the character at fault: three lines for a terminal. A long line is
 /// shown around that character.

@@ -12,7 +12,6 @@
 namespace rederive::sign {
 using namespace numbers;
 using namespace identity;
-
 using cln::cl_RA;
 
 namespace {

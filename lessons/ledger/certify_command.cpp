@@ -163,8 +163,8 @@ int write_certificate(const Paper& paper, const ProveRequest& request, const std
       const Question question{problem.left, problem.right, problem.symbols, {}, problem.assumptions};
       if (!is_proved)
         answer["refused"] = to_string(proof.verdict) + ": there is no certificate";
-      else if (proof.by != "identity")
-        answer["refused"] = "there is no script for a proof by " + proof.by;
+      else if (proof.by != By::identity)
+        answer["refused"] = "there is no script for a proof by " + word_of(proof.by);
       else
         answer["script"] = library + "\n" + lemma("proved", question, proof);
     } catch (const BadInput& error) {

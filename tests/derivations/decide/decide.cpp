@@ -48,7 +48,7 @@ Proof decided(const Text& left, const Text& right, const Texts& assumptions = {}
   const Proof proof = decide(read(left), read(right), symbols(), {}, read(assumptions));
   CHECK_FALSE(proof.reason.empty());
   CHECK(proof.witness.has_value() == (proof.verdict == Verdict::refuted));
-  CHECK(proof.by.empty() == (proof.verdict == Verdict::undecided));
+  CHECK((proof.by == By::nothing) == (proof.verdict == Verdict::undecided));
   return proof;
 }
 
@@ -68,7 +68,7 @@ TEST_CASE("statements have the verdicts that they should have, each by what find
   each_case("verdicts", [](const Cells& row) {
     const Proof proof = decided(row);
     const bool says_how = row[2].find(" by ") != Text::npos;
-    CHECK(to_string(proof.verdict) + (says_how ? " by " + proof.by : "") == row[2]);
+    CHECK(to_string(proof.verdict) + (says_how ? " by " + word_of(proof.by) : "") == row[2]);
   });
   each_case("never", [](const Cells& row) { CHECK(to_string(decided(row).verdict) != row[2]); });
   each_case("factors", [](const Cells& row) { CHECK(decided(row).factor == row[2]); });
@@ -84,7 +84,7 @@ TEST_CASE("every certificate of signs is an identity, under the signs of its cas
   std::size_t signs_of_cases = 0;
   each_case("certificates", [&](const Cells& row) {
     const Proof proof = decided(row[0], row[1], rest(row, 2));
-    CHECK(proof.by == "sign");
+    CHECK(proof.by == By::sign);
     CHECK_FALSE(proof.certificate.empty());
     for (const Text& line : proof.certificate) {
       const auto equals = line.find(" = 0"), where = line.find(" where ");
@@ -97,7 +97,7 @@ TEST_CASE("every certificate of signs is an identity, under the signs of its cas
       }
       const Proof replayed = decided(line.substr(0, equals), "0", signs);
       CHECK(replayed.verdict == Verdict::proved);
-      CHECK(replayed.by == "identity");
+      CHECK(replayed.by == By::identity);
       CHECK(decided(line.substr(0, equals) + " + 1", "0", signs).verdict == Verdict::refuted);
     }
   });
@@ -108,7 +108,7 @@ TEST_CASE("what has no value wherever the other side has some is refuted, and th
   each_case("without_value", [](const Cells& row) {
     const Proof proof = decided(row);
     REQUIRE(proof.verdict == Verdict::refuted);
-    CHECK(proof.by == "sign");
+    CHECK(proof.by == By::sign);
     const bool printed = proof.witness->printed == "no value", derived = proof.witness->derived == "no value";
     CHECK(printed != derived);
     if (row[2] != "one") CHECK(printed == (row[2] == "printed"));
