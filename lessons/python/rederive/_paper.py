@@ -2,6 +2,7 @@
 from __future__ import annotations
 
 import functools
+import inspect
 import json
 import os
 import re
@@ -105,26 +106,11 @@ class _Declared(dict):
 
 
 class Paper:
-    """A paper in a folder.
+    """A paper in a folder, which is seen from the file that calls this, or from the current folder.
 
-    Parameters
-    ----------
-    folder : str or path, optional
-        The folder with paper.toml, seen from the file that calls this or from the current folder. In the derive.py of a
-        folder it is always that folder.
-
-    Attributes
-    ----------
-    folder : Path
-    declared : dict
-        The SymPy symbols that paper.toml declares, by name, with the signs that their ranges show.
-    derivations : dict
-        The functions that derive rows, by the id of the row.
-
-    Raises
-    ------
-    ValueError
-        If the folder has no paper.toml, or if it cannot be read; with the file and the line.
+    In the derive.py of a folder it is always that folder. `declared` has the SymPy symbols by name, with the signs that
+    their ranges show, and `derivations` the functions that derive rows by their ids. Raises ValueError, with the file and
+    the line, if paper.toml is missing or cannot be read.
     """
 
     def __init__(self, folder: str | Path | None = None) -> None:
@@ -178,16 +164,9 @@ class Paper:
     def lagrange(self, L: Any, q: Any, force: Any = 0, dissipation: Any = 0) -> Any:
         """Returns d/dt(dL/dq') - dL/dq + dD/dq' - Q, which is 0 in every motion.
 
-        Parameters
-        ----------
-        L : expression
-            Kinetic minus potential energy.
-        q : symbol with rates, or function of t
-            The coordinate.
-        force : expression
-            Generalised force Q that is not in the potential.
-        dissipation : expression
-            Rayleigh's function D, half the power that is lost.
+        L is the kinetic minus the potential energy, and the coordinate q is a symbol with rates or a function of t. `force`
+        is the generalised force Q that is not in the potential, and `dissipation` Rayleigh's function D, half the power
+        that is lost.
         """
         rate = self._rate(q)
         if rate is None:
@@ -206,7 +185,7 @@ class Paper:
                 raise TypeError(f"{function.__name__}() returned {type(found).__name__}; it must return derived(left, right, steps)")
             return found.as_json(self.declared)
         except (Exception, SystemExit) as error:
-            code = function.__wrapped__.__code__
+            code = getattr(inspect.unwrap(function), "__code__", Paper.row.__code__)  # a callable object has none
             return {"error": f"{place_in(code.co_filename, error, code.co_firstlineno)}: {described(error)}"}
 
     def equation(self, row: str) -> Any:

@@ -2,7 +2,6 @@
 from __future__ import annotations
 
 import itertools
-import re
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from functools import partial
@@ -54,7 +53,7 @@ class Derivation:
     given: tuple[tuple[Any, Any], ...] = ()
     assuming: str = ""
     order: int = 0
-    small: tuple[Any, ...] = ()
+    small: str = ""
 
     def as_json(self, declared: Mapping[str, Any]) -> dict[str, Any]:
         """Returns what derivations.json has of it. Raises ValueError for what cannot be written."""
@@ -66,8 +65,7 @@ class Derivation:
         steps = [{"says": one.says} | formula(one) | ({} if one.cites is None else {"cites": one.cites}) for one in self.steps]
         return formula(self) | {
             "steps": steps, "given": [[text(name), text(value)] for name, value in self.given],
-            "assumption": self.assuming, "order": self.order, "small": ", ".join(text(symbol) for symbol in self.small),
-            "stated": not steps}
+            "assumption": self.assuming, "order": self.order, "small": self.small, "stated": not steps}
 
 
 def derived(left: Any, right: Any = None, *steps: Step, relation: str = "=", given: Any = (), assuming: Any = "",
@@ -88,7 +86,7 @@ def derived(left: Any, right: Any = None, *steps: Step, relation: str = "=", giv
         What the paper leaves unsaid. Words may follow a relation in a text, behind ":" or ";".
     order : int
         If above 0: the result is a Taylor approximation to this order in the symbols `small`.
-    small : symbol, or list of symbols
+    small : symbol, list of symbols, or text such as "alpha, theta"
     """
     if isinstance(right, Step):
         right, steps = None, (right, *steps)
@@ -96,9 +94,8 @@ def derived(left: Any, right: Any = None, *steps: Step, relation: str = "=", giv
         if not isinstance(one, Step):
             raise TypeError(f"a {type(one).__name__} is not a step: write step(words) or step(words, left, right)")
     pairs = tuple((exact(name), exact(value)) for name, value in (given.items() if isinstance(given, Mapping) else given))
-    if isinstance(small, str):
-        small = [sp.Symbol(name) for name in re.split(r"[,\s]+", small.strip()) if name]
-    small = tuple(small) if isinstance(small, Iterable) else (small,)
+    if not isinstance(small, str):
+        small = ", ".join(map(to_text, small if isinstance(small, Iterable) else [small]))
     if not isinstance(order, int) or order < 0:
         raise ValueError(f"order must be a whole number that is not negative, not {order!r}")
     if (order > 0) != bool(small):

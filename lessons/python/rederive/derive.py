@@ -39,13 +39,12 @@ def write_whole(file: Path, text: str) -> None:
     """Writes a file whole or not at all."""
     beside = file.with_name(f".{file.name}.{os.getpid()}")
     try:
-        try:
-            beside.write_text(text, encoding="utf-8")
-            beside.replace(file)
-        finally:
-            beside.unlink(missing_ok=True)
+        beside.write_text(text, encoding="utf-8")
+        beside.replace(file)
     except OSError as error:
         raise ValueError(f"{file}: {error.strerror}") from None
+    finally:
+        beside.unlink(missing_ok=True)
 
 
 def derive(folder: str | Path) -> dict[str, str]:

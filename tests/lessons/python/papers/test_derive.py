@@ -46,7 +46,9 @@ def four():
 @paper.row("5")
 def five():
     return derived(sp.Lt(theta, 1), step("words"), assuming=theta < sp.Rational(1, 2))
+import functools
 @paper.row("6")
+@functools.cache
 def six():
     return derived(theta.dot, 0, *motion().steps, relation="<=")
 """)
@@ -74,6 +76,7 @@ FAILURES = [
     ("return derived(theta)", "HERE: TypeError: a formula needs two sides"),
     ("return derived(theta, 1, order=2)", "HERE: ValueError: order and small belong together"),
     ("return derived(paper.lagrange(m, m), 0)", "HERE: ValueError: m does not change in time: declare it with rates = 2"),
+    ("return derived(theta, 1, small='theta')", "HERE: ValueError: order and small belong together"),
     ("import sys; sys.exit(0)", "HERE: SystemExit: 0"), ("return failing.__wrapped__()", "RecursionError")]
 
 
