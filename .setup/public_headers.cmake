@@ -14,10 +14,14 @@ set(public_headers
   derivations/language/symbols.hpp
   derivations/language/syntax.hpp
   derivations/language/tree.hpp
+  derivations/mechanics/body.hpp
   derivations/mechanics/derivation.hpp
   derivations/mechanics/dimension.hpp
   derivations/mechanics/linear_motion.hpp
   derivations/mechanics/plane.hpp
+  derivations/mechanics/signs.hpp
+  derivations/mechanics/small_motion.hpp
+  derivations/mechanics/solve.hpp
   derivations/mechanics/time_derivative.hpp
   derivations/numbers/ball.hpp
   derivations/numbers/evaluate.hpp

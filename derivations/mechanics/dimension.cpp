@@ -154,10 +154,18 @@ std::string side_name(std::size_t side, std::size_t sides) {
 
 namespace {
 
+/// The derived units, each in base units. A is a base unit.
+constexpr std::pair<const char*, const char*> derived_units[] = {
+    {"N", "kg*m/s^2"}, {"J", "kg*m^2/s^2"},     {"W", "kg*m^2/s^3"}, {"Pa", "kg/(m*s^2)"},
+    {"Hz", "1/s"},     {"V", "kg*m^2/(s^3*A)"}, {"rad", "1"}};
+
+/// Units with themselves in base units.
 const Symbols& units_as_symbols() {
   static const Symbols units = [] {
     Symbols table;
     for (const char* unit : base_units) table.declare({unit, unit, unit, unit, "(0, inf)", "", ""});
+    for (const auto& [name, in_base] : derived_units)
+      table.declare({name, name, name, in_base, "(0, inf)", "", ""});
     return table;
   }();
   return units;
@@ -167,7 +175,9 @@ const Symbols& units_as_symbols() {
 Dimension dimension_of_unit(const Tree& tree) {
   Dimension result = pure;
   if (tree->kind == Kind::symbol && tree->text != "pi") {
-    result[static_cast<std::size_t>(std::ranges::find(base_units, tree->text) - base_units.begin())] = 1;
+    const auto base = std::ranges::find(base_units, tree->text);
+    if (base == base_units.end()) return parse_unit(units_as_symbols().find(tree->text)->unit);
+    result[static_cast<std::size_t>(base - base_units.begin())] = 1;
   } else if (tree->kind == Kind::product) {
     for (std::size_t i = 0; i < tree->children.size(); ++i) {
       const Dimension factor = dimension_of_unit(tree->children[i]);
@@ -189,7 +199,8 @@ Dimension parse_unit(std::string_view text) try {
   return dimension_of_unit(parse(text, units_as_symbols()));
 } catch (const std::exception&) {  // SyntaxError among them
   throw std::invalid_argument(
-      "a unit is written in kg, m, s, A, K, mol and cd, such as 'kg*m^2/s^2', 's^4/(kg*m^2)' or '1', not '" +
+      "a unit is written in kg, m, s, A, K, mol, cd, N, J, W, Pa, Hz, V and rad, such as 'kg*m^2/s^2', "
+      "'s^4/(kg*m^2)' or '1', not '" +
       std::string(text) + "'");
 }
 

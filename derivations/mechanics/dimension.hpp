@@ -13,8 +13,9 @@ namespace rederive::mechanics {
 inline constexpr std::array<const char*, 7> base_units = {"kg", "m", "s", "A", "K", "mol", "cd"};
 /// The exponents of the base units, in the order of `base_units`.
 using Dimension = std::array<GiNaC::numeric, base_units.size()>;
-/// Returns the dimension of a product of powers of base units in our syntax: "kg*m^2/s^2", "s^4/(kg*m^2)",
-/// "kg^-1", "1". Throws std::invalid_argument for other texts.
+/// Returns the dimension of a product of powers of units in our syntax: "kg*m^2/s^2", "s^4/(kg*m^2)",
+/// "kg^-1", "N/m", "rad/s", "1". The units are the base units, N, J, W, Pa, Hz, V and rad, which is 1. These
+/// names do not clash with symbols, which no unit contains. Throws std::invalid_argument for other texts.
 Dimension parse_unit(std::string_view text);
 
 /// Returns a dimension as text: "kg·m²/s²", or "1" for a pure number.

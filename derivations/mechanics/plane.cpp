@@ -1,5 +1,4 @@
 #include <derivations/mechanics/plane.hpp>
-#include <stdexcept>
 
 namespace rederive::mechanics {
 using namespace language;
@@ -20,32 +19,42 @@ Vector time_derivative(const Vector& a, const Rates& rates) {
   return {time_derivative(a.right, rates), time_derivative(a.up, rates)};
 }
 
-ex integral(const ex& f, const SymbolExpression& v, const ex& from, const ex& to) {
-  const ex expanded = f.expand();
-  if (!expanded.is_polynomial(v)) throw std::invalid_argument("integral: the integrand is not a polynomial");
-  ex sum = 0;
-  for (int n = expanded.ldegree(v); n <= expanded.degree(v); ++n)
-    sum += expanded.coeff(v, n) * (pow(to, n + 1) - pow(from, n + 1)) / (n + 1);
-  return sum.expand();
-}
-
-ex over_body(const ex& f, const Rectangle& body) {
-  const ex strip = integral(body.density * f, body.y, body.bottom, body.top);
-  return integral(strip, body.x, body.left, body.right);
-}
-
-ex by_pythagoras(const ex& e) {
-  const ex any = GiNaC::wild();
-  return e.expand().subs(pow(sin(any), 2) == 1 - pow(cos(any), 2)).expand();
-}
-
-ex moment_balance(const Rectangle& body, const Vector& element, const Vector& carried,
+ex moment_balance(const RigidBody& body, const Vector& element, const Vector& carried,
                   const std::vector<AppliedForce>& forces, const Rates& rates) {
   const Vector velocity = time_derivative(carried + element, rates);
   const Vector acceleration = time_derivative(velocity, rates);
   ex sum = -over_body(clockwise_cross(element, acceleration), body);
   for (const AppliedForce& f : forces) sum += clockwise_cross(f.at, f.force);
   return by_pythagoras(sum);
+}
+
+ex generalised_force(const std::vector<AppliedForce>& forces, const Coordinate& q) {
+  ex sum = 0;
+  for (const AppliedForce& f : forces)
+    sum += dot(f.force, {f.at.right.diff(q.position), f.at.up.diff(q.position)});
+  return simplified(sum);
+}
+
+PolarMotion polar_motion(const Coordinate& r, const Coordinate& phi) {
+  const Rates rates{
+      {r.position, r.rate}, {r.rate, r.second_rate}, {phi.position, phi.rate}, {phi.rate, phi.second_rate}};
+  const Vector outwards{cos(phi.position), sin(phi.position)}, across{-sin(phi.position), cos(phi.position)};
+  const Vector velocity = time_derivative(r.position * outwards, rates);
+  const Vector acceleration = time_derivative(velocity, rates);
+  PolarMotion motion;
+  const auto add = [&](PolarVector PolarMotion::*part, const Vector& vector, const char* says,
+                       const std::string& name) {
+    motion.*part = {by_pythagoras(dot(vector, outwards)), by_pythagoras(dot(vector, across))};
+    motion.steps.push_back({says, GiNaC::symbol(name + "_x"), vector.right});
+    motion.steps.push_back({"and", GiNaC::symbol(name + "_y"), vector.up});
+    motion.steps.push_back(
+        {"which has outwards the component", GiNaC::symbol(name + "_r"), (motion.*part).radial});
+    motion.steps.push_back({"and across, in the direction of the angle,", GiNaC::symbol(name + "_phi"),
+                            (motion.*part).transverse});
+  };
+  add(&PolarMotion::velocity, velocity, "Differentiate the position by time", "v");
+  add(&PolarMotion::acceleration, acceleration, "Differentiate the velocity by time", "a");
+  return motion;
 }
 
 }  // namespace rederive::mechanics

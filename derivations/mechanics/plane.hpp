@@ -1,7 +1,9 @@
-// Vectors in the plane, integrals over a homogeneous rectangle, and the equation of motion by Newton and
-// Euler: moments about a point that may itself move.
+// Vectors in the plane, motion in polar coordinates, generalised forces, and the equation of motion by Newton
+// and Euler: moments about a point that may itself move.
 #pragma once
 
+#include <derivations/mechanics/body.hpp>
+#include <derivations/mechanics/signs.hpp>
 #include <derivations/mechanics/time_derivative.hpp>
 #include <vector>
 
@@ -22,23 +24,6 @@ Vector turned_clockwise(const Vector& a, const GiNaC::ex& angle);
 /// Returns the time derivative of each component (time_derivative.hpp).
 Vector time_derivative(const Vector& a, const Rates& rates);
 
-/// Returns ∫ f dv from `from` to `to`. Throws std::invalid_argument if f is not a polynomial in v.
-GiNaC::ex integral(const GiNaC::ex& f, const language::SymbolExpression& v, const GiNaC::ex& from,
-                   const GiNaC::ex& to);
-
-/// A rectangle of uniform density. (x, y) are its points at rest, seen from a point fixed in the body.
-struct Rectangle {
-  language::SymbolExpression x, y;
-  GiNaC::ex left, right, bottom, top;  ///< x from left to right, y from bottom to top
-  GiNaC::ex density;                   ///< mass per area
-};
-/// Returns ∫∫ ρ f dx dy: the mass for f = 1, a moment of inertia for f = x² + y², an energy for f = |v|²/2 …
-/// Throws as integral does.
-GiNaC::ex over_body(const GiNaC::ex& f, const Rectangle& body);
-
-/// Returns the expression with 1 − cos² in place of every sin², expanded.
-GiNaC::ex by_pythagoras(const GiNaC::ex& e);
-
 /// A force and its point of application, seen from the point about which moments are taken.
 struct AppliedForce {
   Vector at, force;
@@ -48,7 +33,22 @@ struct AppliedForce {
 /// Σ r × F − ∫ r × a dm, where r is seen from P and a is absolute. It is 0 in every motion, for every P.
 /// `element` is the position of (x, y) seen from P, `carried` the position of P in the fixed frame, and
 /// `rates` says which symbols change in time.
-GiNaC::ex moment_balance(const Rectangle& body, const Vector& element, const Vector& carried,
+GiNaC::ex moment_balance(const RigidBody& body, const Vector& element, const Vector& carried,
                          const std::vector<AppliedForce>& forces, const Rates& rates);
+
+/// Returns the generalised force Q = Σ F · ∂r/∂q, by virtual work. The points of application are seen from a
+/// fixed point.
+GiNaC::ex generalised_force(const std::vector<AppliedForce>& forces, const Coordinate& q);
+
+/// A vector by its components outwards and in the direction in which the polar angle grows.
+struct PolarVector {
+  GiNaC::ex radial, transverse;
+};
+/// The velocity and the acceleration of the point r (cos φ, sin φ).
+struct PolarMotion {
+  PolarVector velocity, acceleration;
+  std::vector<Step> steps;
+};
+PolarMotion polar_motion(const Coordinate& r, const Coordinate& phi);
 
 }  // namespace rederive::mechanics

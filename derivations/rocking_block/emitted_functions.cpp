@@ -93,7 +93,7 @@ void add_constants(List& list) {
 /// Adds the response to a straight piece of a record.
 void add_response_on_line(List& list, Side side) {
   const LinearEquation equation = linear_equation_under(side, a_p * (numeric::ground + numeric::slope * t));
-  const ex angle = solution_from(equation, 0, theta_0, thetadot_0);
+  const ex angle = solution(equation, from_start(0, theta_0, thetadot_0)).value;
   list.add(on(side, "linear_response_on_line"),
            {alpha, p, numeric::ground, numeric::slope, theta_0, thetadot_0, t},
            without(g, by_half_phases(angle.subs(a_p == g))), row(side, "56a", "56b"),

@@ -7,15 +7,15 @@ using namespace paper;
 
 using GiNaC::ex;
 
-Rectangle block_from_pivot(Side side) {
+RigidBody block_from_pivot(Side side) {
   const ex width = 2 * b, density = m / (4 * b * h);
-  if (side == Side::negative) return {x, y, 0, width, 0, 2 * h, density};
-  return {x, y, -width, 0, 0, 2 * h, density};
+  if (side == Side::negative) return rectangle(x, y, 0, width, 0, 2 * h, density);
+  return rectangle(x, y, -width, 0, 0, 2 * h, density);
 }
 
 namespace {
 
-Rectangle block_from_centre() { return {x, y, -b, b, -h, h, m / (4 * b * h)}; }
+RigidBody block_from_centre() { return rectangle(x, y, -b, b, -h, h, m / (4 * b * h)); }
 
 }  // namespace
 

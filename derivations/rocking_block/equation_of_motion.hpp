@@ -7,7 +7,7 @@ namespace rederive::rocking_block {
 
 /// Returns the block at rest, seen from the pivot on that side: x is in (0, 2b) from O and in (−2b, 0) from
 /// O', y is in (0, 2h).
-mechanics::Rectangle block_from_pivot(Side side);
+mechanics::RigidBody block_from_pivot(Side side);
 
 /// Returns J_o = 4/3 m R² and R = 3g/(4p²) in m, g and p. With these (11) and (20) become (21).
 std::vector<language::Given> inertia_and_frequency();

@@ -16,7 +16,7 @@ Vector seen_from_old_pivot() { return seen_from_new_pivot() + Vector{2 * b, 0}; 
 // Returns the velocity of a point at `arm` from the point about which a body turns clockwise with `rate`.
 Vector velocity_of_turning(const Vector& arm, const ex& rate) { return rate * Vector{arm.up, -arm.right}; }
 
-Rectangle block_at_impact() { return {x, y, 0, 2 * b, 0, 2 * h, rho}; }
+RigidBody block_at_impact() { return rectangle(x, y, 0, 2 * b, 0, 2 * h, rho); }
 
 ex element_momentum_before() {
   const Vector velocity = velocity_of_turning(seen_from_old_pivot(), thetadot_minus);
@@ -87,11 +87,12 @@ Derivation mass_of_the_block() {
 }
 
 Derivation equation_39_height() {
-  return derived(y_end, block_at_impact().top - block_at_impact().bottom, {in_words("The block is 2h high")});
+  const Parameter height = block_at_impact().over[0];
+  return derived(y_end, height.to - height.from, {in_words("The block is 2h high")});
 }
 
 Derivation equation_41() {
-  Rectangle face = block_at_impact();
+  RigidBody face = block_at_impact();
   face.density = 1;
   return derived(integral_41, over_body((element_momentum_before() / thetadot_minus).expand(), face),
                  {from("40b", "Integrate # over the face of the block, 0 < x < 2b and 0 < y < 2h")});

@@ -114,7 +114,7 @@ void derive_initial_conditions(Derivations& rows) {
   rows.add("u27e", scaled_amplitude_of_cosine);
   rows.add("97", [] {
     const LinearEquation equation = linear_equation(Side::positive, Pulse::cosine);
-    return to_order(derived(thetaddot - pow(equation.k, 2) * theta,
+    return to_order(derived(thetaddot + equation.stiffness * theta,
                             with_amplitude(equation.forcing, Pulse::cosine).expand(),
                             {from("21b", "Take # to first order in α, θ and α_p/g"),
                              {"with", u_gddot, ground_acceleration(Pulse::cosine)},

@@ -12,7 +12,8 @@ using GiNaC::lst;
 LinearEquation linear_equation_under(Side side, const ex& ground) {
   const ex acceleration = angular_acceleration(side).subs(u_gddot == ground);
   const ex linear = taylor(acceleration, {alpha, theta, a_p}, 1);
-  return {p, (linear - pow(p, 2) * theta).expand(), t};
+  const ex stiffness = -linear.coeff(theta, 1);
+  return {1, 0, stiffness, (linear + stiffness * theta).expand(), t};
 }
 
 LinearEquation linear_equation(Side side, Pulse pulse) {
@@ -44,19 +45,19 @@ Constants names(Side side) { return side == Side::negative ? Constants{A_1, A_2}
 
 ex forced_motion(Side side, Pulse pulse) {
   const Constants c = names(side);
-  return general_solution(linear_equation(side, pulse), 0, c.C, c.D);
+  return general_solution(linear_equation(side, pulse), 0, c.C, c.D).value;
 }
 
 Constants forced_constants(Side side, Pulse pulse) {
   static std::map<std::pair<Side, Pulse>, Constants> derived;  // each once
   const auto found = derived.find({side, pulse});
   if (found != derived.end()) return found->second;
-  const Constants c = constants_from_start(linear_equation(side, pulse), 0, theta_0, thetadot_0);
+  const Constants c = solution(linear_equation(side, pulse), from_start(0, theta_0, thetadot_0)).constants;
   return derived[{side, pulse}] = {with_amplitude(c.C, pulse), with_amplitude(c.D, pulse)};
 }
 
 ex linear_response(Side side, Pulse pulse) {
-  return solution_from(linear_equation(side, pulse), 0, theta_0, thetadot_0);
+  return solution(linear_equation(side, pulse), from_start(0, theta_0, thetadot_0)).value;
 }
 
 ex by_half_phases(const ex& response) {
@@ -83,7 +84,7 @@ ex by_half_phases(const ex& response) {
 
 ex free_motion(Side side) {
   const Constants c = free_names(side);
-  return general_solution(linear_equation(side, Pulse::none), t_o, c.C, c.D);
+  return general_solution(linear_equation(side, Pulse::none), t_o, c.C, c.D).value;
 }
 
 ex growing_part(const ex& free_motion, const ex& start) {
@@ -99,7 +100,7 @@ namespace {
 Derivation linearised(Side side, const char* exact, Pulse pulse) {
   const LinearEquation equation = linear_equation(side, pulse);
   return to_order(
-      derived(thetaddot - pow(equation.k, 2) * theta, equation.forcing,
+      derived(thetaddot + equation.stiffness * theta, equation.forcing,
               {from(exact, "Take"),
                {"with", u_gddot, ground_acceleration(pulse)},
                in_words("to first order in α, θ and α_p/g together: cos is 1, sin is its argument")}),
@@ -114,7 +115,7 @@ Derivation linear_amplitude() {
 }
 
 Derivation forced(Side side, const char* equation) {
-  const ex particular = particular_solution(linear_equation(side, Pulse::sine));
+  const ex particular = particular_solution(linear_equation(side, Pulse::sine)).value;
   return derived(
       theta, forced_motion(side, Pulse::sine),
       {from(equation, "Solve"),
@@ -175,7 +176,7 @@ Derivation forced_constant(Side side, bool first) {
 Derivation free_constant(Side side, bool first) {
   const Constants name = free_names(side);
   const Constants value =
-      constants_from_start(linear_equation(side, Pulse::none), t_o, theta_to, thetadot_to);
+      solution(linear_equation(side, Pulse::none), from_start(t_o, theta_to, thetadot_to)).constants;
   return derived(
       first ? name.C : name.D, first ? value.C : value.D,
       {from(side == Side::negative ? "62a" : "62b", "Set t = t_o in"), in_words("and in its derivative")});

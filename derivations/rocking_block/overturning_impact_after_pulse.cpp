@@ -24,7 +24,7 @@ ex scaled_angle_at_end() {
 // The free motion (89) starts from the state (91): (θ + α)/α and θ̇/(p α).
 LinearEquation free_equation() { return linear_equation(Side::negative, Pulse::none); }
 
-ex free_from_end() { return solution_from(free_equation(), T_ex, theta_ex, thetadot_ex); }
+ex free_from_end() { return solution(free_equation(), from_start(T_ex, theta_ex, thetadot_ex)).value; }
 
 ex from_state_at_end(const ex& e) {
   return e.subs(
@@ -43,11 +43,11 @@ ex overturning_impact_after_pulse() {
 namespace {
 
 ex free_after_impact() {
-  return general_solution(linear_equation(Side::positive, Pulse::none), t_i, c_1, c_2);
+  return general_solution(linear_equation(Side::positive, Pulse::none), t_i, c_1, c_2).value;
 }
 
 Constants free_constants_after_impact() {
-  return constants_from_start(linear_equation(Side::positive, Pulse::none), t_i, 0, thetadot_after);
+  return solution(linear_equation(Side::positive, Pulse::none), from_start(t_i, 0, thetadot_after)).constants;
 }
 
 ex at_corner(const ex& e) {

@@ -13,7 +13,7 @@ namespace {
 
 // Returns the forced motion after an impact at t_i, with time counted from there: (79a).
 ex motion_after_impact() {
-  return with_amplitude(general_solution(linear_equation(Side::positive, Pulse::sine), t_i, A_3, A_4),
+  return with_amplitude(general_solution(linear_equation(Side::positive, Pulse::sine), t_i, A_3, A_4).value,
                         Pulse::sine);
 }
 
@@ -22,7 +22,8 @@ ex at_end_of_sine(const ex& e) { return e.subs(omega_p * t + psi == 2 * GiNaC::P
 
 Constants constants_after_impact() {
   const Constants c =
-      constants_from_start(linear_equation(Side::positive, Pulse::sine), t_i, 0, e * thetadot_before);
+      solution(linear_equation(Side::positive, Pulse::sine), from_start(t_i, 0, e * thetadot_before))
+          .constants;
   return {with_amplitude(c.C, Pulse::sine), with_amplitude(c.D, Pulse::sine)};
 }
 

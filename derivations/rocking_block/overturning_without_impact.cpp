@@ -41,10 +41,10 @@ ex critical_sum(Side side, const ex& angle, const ex& rate) { return rate / p + 
 ex linear_critical_rate(Side side) { return -p * critical_sum(side, theta, 0); }
 
 ex linear_impact_rate_squared(Side side) {
-  // 2 θ̇ times θ̈ − k²θ = f says that θ̇² − k²(θ − θ_c)², a product of two factors, is constant, with k²θ_c =
+  // 2 θ̇ times θ̈ − p²θ = f says that θ̇² − p²(θ − θ_c)², a product of two factors, is constant, with p²θ_c =
   // −f.
   const LinearEquation equation = linear_equation(side, Pulse::none);
-  const ex from_corner = equation.k * (theta + equation.forcing / pow(equation.k, 2)).normal();
+  const ex from_corner = p * (theta - equation.forcing / equation.stiffness).normal();
   const ex kept = (thetadot - from_corner) * (thetadot + from_corner);
   return kept - kept.subs(lst{theta == 0, thetadot == 0});
 }
@@ -59,7 +59,7 @@ ex rate_at_end(Side side, Pulse pulse) {
 ThresholdEquation threshold_without_impact(Side side, const ex& ground, const Given& amplitude,
                                            const ex& end) {
   const GiNaC::symbol growth("growth");  // e^{p t} at the end of the pulse
-  const ex motion = solution_from(linear_equation_under(side, ground), 0, theta_0, thetadot_0);
+  const ex motion = solution(linear_equation_under(side, ground), from_start(0, theta_0, thetadot_0)).value;
   const ex sum = critical_sum(side, motion, motion.diff(t)).subs(amplitude.name == amplitude.value);
   const ex at_end = in_exponentials(sum)
                         .subs(lst{exp(p * t) == growth, exp(-p * t) == 1 / ex(growth)})

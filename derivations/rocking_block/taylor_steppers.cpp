@@ -71,7 +71,7 @@ TaylorStepper motion(Ground ground, Side side) {
 
 TaylorStepper linear_motion(Ground ground, Side side) {
   const LinearEquation equation = linear_equation_under(side, a_p);
-  return with_ground(ground, side, true, pow(equation.k, 2) * theta + equation.forcing, a_p,
+  return with_ground(ground, side, true, equation.forcing - equation.stiffness * theta, a_p,
                      row(side, "56a", "56b"));
 }
 
