@@ -183,10 +183,12 @@ Motion general_solution(const LinearEquation& given, const ex& start, const ex& 
     ex sine = tau, cosine = 1;
     if (roots == Roots::complex) {
       const ex phase = root_of(-square, known) * tau;
-      sine = sin(phase), cosine = cos(phase);
+      sine = sin(phase);
+      cosine = cos(phase);
     } else if (roots == Roots::real) {
       const ex phase = root_of(square, known) * tau;
-      sine = sinh(phase), cosine = cosh(phase);
+      sine = sinh(phase);
+      cosine = cosh(phase);
     }
     result.value = C * decay * sine + D * decay * cosine;
     result.conditions = not_zero(m, known);

@@ -98,7 +98,8 @@ std::optional<int> sign_of_roots(const ex& polynomial, const ex& x, const Relati
 
 Modes modes_of(const matrix& mass, const matrix& stiffness, const SymbolExpression& lambda,
                const Relations& known) {
-  check_matrix(mass, "mass"), check_matrix(stiffness, "stiffness");
+  check_matrix(mass, "mass");
+  check_matrix(stiffness, "stiffness");
   if (mass.rows() != stiffness.rows()) throw std::invalid_argument("modes_of: the matrices differ in size");
   Modes result;
   result.conditions = positive_definite(mass, known);

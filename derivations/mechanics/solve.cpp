@@ -28,7 +28,9 @@ class Elimination {
       for (unsigned row = 0; row < a.rows(); ++row) {
         if (is_used(row) || vanishes(a(row, column), known_)) continue;
         const int doubt = is_a<GiNaC::numeric>(a(row, column)) ? 0 : sign(a(row, column), known_) ? 1 : 2;
-        if (doubt < least) best = {row, column}, least = doubt;
+        if (doubt >= least) continue;
+        best = {row, column};
+        least = doubt;
       }
     return best;
   }

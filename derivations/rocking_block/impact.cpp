@@ -145,8 +145,8 @@ void derive_impact(Derivations& rows) {
                    {{r, sqrt(pow(y, 2) + pow(2 * b - x, 2))}});
   });
   rows.add("39b", [] {
-    return derived(x_end, block_at_impact().right - block_at_impact().left,
-                   {in_words("The block is 2b wide")});
+    const Parameter width = block_at_impact().over[1];
+    return derived(x_end, width.to - width.from, {in_words("The block is 2b wide")});
   });
   rows.add("39c", equation_39_height);
   rows.add("40a", [] {
