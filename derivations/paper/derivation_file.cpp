@@ -28,8 +28,24 @@ GiNaC::ex expression(const std::string& text, const Symbols& symbols) {
   }
 }
 
+/// Refuses words in which the text between two $ is not mathematics.
+void check_mathematics(const std::string& words, const Symbols& symbols) {
+  for (std::size_t begin = 0; (begin = words.find('$', begin)) != words.npos;) {
+    const std::size_t end = words.find('$', begin + 1);
+    if (end == words.npos) throw std::runtime_error("a $ of the step '" + words + "' has no second one");
+    const std::string text = words.substr(begin + 1, end - begin - 1);
+    try {
+      (void)parse_statement(text, symbols);
+    } catch (const SyntaxError& error) {
+      throw std::runtime_error("the step '" + words + "': " + explain(error, text));
+    }
+    begin = end + 1;
+  }
+}
+
 Step step_in(const Json& json, const Symbols& symbols) {
   const std::string says = json.at("says");
+  check_mathematics(says, symbols);
   if (json.contains("cites")) return from(json.at("cites").get<std::string>(), says);
   if (!json.contains("left")) return in_words(says);
   return {says, expression(json.at("left"), symbols), expression(json.at("right"), symbols),
@@ -54,7 +70,13 @@ Derivation derivation_in(const Json& json, const Symbols& symbols) {
 
 Json json_of(const Step& step, const Symbols& symbols) {
   const auto text = [&](const GiNaC::ex& value) { return print(value, Notation::plain, symbols); };
-  if (!step.cites.empty()) return {{"says", step.says}, {"cites", step.cites}};
+  if (!step.cites.empty()) {
+    std::string says = step.says;  // without the number, for which reading finds the place again
+    const std::string number = "(" + step.cites + ")";
+    if (const std::size_t place = says.find(number); place != says.npos)
+      says.replace(place, number.size(), "#");
+    return {{"says", says}, {"cites", step.cites}};
+  }
   if (step.left.is_zero() && step.right.is_zero()) return {{"says", step.says}};
   return {{"says", step.says},
           {"left", text(step.left)},

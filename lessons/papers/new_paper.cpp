@@ -15,6 +15,16 @@ struct NewOptions {
   bool python = false, cpp = false;
 };
 
+/// Returns the text of a file in which commands name the new folder instead of the example.
+std::string with_name(std::string text, const NewOptions& options) {
+  const std::string before = "rederive " + options.from + " ",
+                    after =
+                        "rederive " + fs::path(options.folder).lexically_normal().filename().string() + " ";
+  for (std::size_t place = 0; (place = text.find(before, place)) != text.npos; place += after.size())
+    text.replace(place, before.size(), after);
+  return text;
+}
+
 int copy_example(const NewOptions& options) {
   if (fs::exists(options.folder) && !fs::is_empty(options.folder))
     throw BadInput("'" + printable_name(options.folder) + "' exists already; give the name of a new folder");
@@ -26,7 +36,7 @@ int copy_example(const NewOptions& options) {
     const std::string name = file.path().filename();
     // derivations of the other language are not those of this file
     if (language != own && (name == "derivations.json" || name == "derive" + own)) continue;
-    files.emplace_back(fs::path(options.folder) / name, read_whole(file.path()));
+    files.emplace_back(fs::path(options.folder) / name, with_name(read_whole(file.path()), options));
   }
   if (language != own)
     files.emplace_back(fs::path(options.folder) / ("derive" + language),

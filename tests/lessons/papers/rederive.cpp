@@ -141,6 +141,10 @@ TEST_CASE("a derivation that is no longer there, or fails, is an error of its ro
   CHECK(rows[0]["verdict"] == "error");
   CHECK_MESSAGE(contains(rows[0]["reason"], "Z"), rows[0]["reason"]);
   CHECK(rows[2]["verdict"] == "refuted");
+  rod.change("derivations.json", "1/3*m*Z^2", "1/3*m*L^2");
+  rod.change("derivations.json", "$x^2$", "$x^Q$");
+  CHECK_MESSAGE(contains(Json::parse(rod.run({"--json"}).out)["equations"][0]["reason"], "Q"),
+                "mathematics of a step");
 }
 
 TEST_CASE("an equation of motion is solved, with its events") {
