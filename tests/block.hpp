@@ -51,7 +51,7 @@ inline Derivation derivation_of(const std::string& id) {
   return paper::derivation_of(rocking_block::paper(), id).value();
 }
 inline std::optional<Derivation> checked_derivation(const std::string& id) {
-  return paper::checked_derivation(rocking_block::paper(), id);
+  return paper::checked_derivation(rocking_block::paper(), {}, id);
 }
 inline Relation derived_relation(const Derivation& derivation) {
   return paper::derived_relation(derivation, paper_symbols());

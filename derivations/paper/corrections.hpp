@@ -5,9 +5,9 @@
 
 namespace rederive::paper {
 
-/// A correction of what is printed, in our syntax: the printed form with one argument of a function changed,
-/// where that is proved to be right and shorter than what is derived; else what is derived. `conditions` as
-/// of `compare`.
+/// Returns a correction of what is printed, in our syntax: the printed form with one term, factor, sign,
+/// argument, function or symbol changed, where that is proved to be right; else what is derived. The search
+/// is that of the classroom (repairs.hpp). `conditions` as of `compare`.
 std::string correction_of(const Paper& paper, const language::Relation& printed,
                           const mechanics::Derivation& derivation, const language::Symbols& symbols,
                           const std::vector<language::Relation>& conditions);

@@ -1,4 +1,7 @@
+#include <algorithm>
+#include <derivations/language/lower.hpp>
 #include <derivations/paper/edits.hpp>
+#include <numeric>
 
 namespace rederive::paper::edits {
 
@@ -69,6 +72,111 @@ Tree with_flipped(const Tree& tree, std::size_t first, std::size_t last) {
   copy->inverse.resize(copy->children.size(), false);
   for (std::size_t k = first; k <= last; ++k) copy->inverse[k] = !copy->inverse[k];
   return copy;
+}
+
+Tree put_in(const Tree& tree, const std::vector<Given>& given, const Symbols& symbols) {
+  Tree result = tree;
+  for (int round = 0; round < 3; ++round)  // a value may hold a name that comes earlier in the list
+    for (const auto& [name, value] : given)
+      result =
+          language::put_in(result, GiNaC::ex_to<GiNaC::symbol>(name).get_name(), to_tree(value, symbols));
+  return result;
+}
+
+Relation put_in(const Relation& relation, const std::vector<Given>& given, const Symbols& symbols) {
+  Relation result = relation;
+  for (auto& side : result.sides) side = put_in(side, given, symbols);
+  return result;
+}
+
+namespace {
+
+/// A product as a chain of factors and divisors, without products among them.
+Node flat_product(const Tree& tree) {
+  Node flat{Node::Kind::product, "", {}, {}, 0};
+  for (std::size_t k = 0; k < tree->children.size(); ++k) {
+    const Tree& child = tree->children[k];
+    const bool is_product = child->kind == Node::Kind::product;
+    const Node inside = is_product ? *child : Node{Node::Kind::product, "", {child}, {false}, 0};
+    for (std::size_t j = 0; j < inside.children.size(); ++j) {
+      flat.children.push_back(inside.children[j]);
+      flat.inverse.push_back(tree->inverse[k] != inside.inverse[j]);
+    }
+  }
+  return flat;
+}
+
+bool is_whole(const Tree& tree) {
+  return tree->kind == Node::Kind::number && tree->text.size() < 7 &&
+         tree->text.find_first_not_of("0123456789") == std::string::npos && tree->text != "0";
+}
+
+/// The product with one number above and one below, in lowest terms; signs of factors before the whole.
+Tree joined_numbers(const Node& flat) {
+  long above = 1, below = 1;
+  bool is_negative = false;
+  Node rest{Node::Kind::product, "", {}, {}, 0};
+  for (std::size_t k = 0; k < flat.children.size(); ++k) {
+    Tree child = flat.children[k];
+    if (child->kind == Node::Kind::negative) is_negative = !is_negative, child = child->children[0];
+    if (is_whole(child))
+      (flat.inverse[k] ? below : above) *= std::stol(child->text);
+    else
+      rest.children.push_back(child), rest.inverse.push_back(flat.inverse[k]);
+  }
+  const long common = std::gcd(above, below);
+  above /= common, below /= common;
+  const bool has_factor = !rest.inverse.empty() && !rest.inverse[0];
+  const auto put = [&](std::size_t place, long value, bool is_divisor) {
+    rest.children.insert(rest.children.begin() + static_cast<std::ptrdiff_t>(place),
+                         number(std::to_string(value)));
+    rest.inverse.insert(rest.inverse.begin() + static_cast<std::ptrdiff_t>(place), is_divisor);
+  };
+  if (above != 1 || !has_factor) put(0, above, false);
+  if (below != 1) put(above != 1 || !has_factor ? 1 : rest.children.size(), below, true);
+  const Tree product =
+      rest.children.size() == 1 ? rest.children[0] : std::make_shared<const Node>(std::move(rest));
+  return is_negative ? negative(product) : product;
+}
+
+}  // namespace
+
+Tree tidied(const Tree& tree) {
+  std::vector<Tree> children;
+  for (const Tree& child : tree->children) children.push_back(tidied(child));
+  const Tree copy = make_tree(tree->kind, tree->text, children, tree->inverse);
+  const auto is = [](const Tree& part, Node::Kind kind) { return part->kind == kind; };
+  if (is(copy, Node::Kind::negative) && is(children[0], Node::Kind::negative))
+    return children[0]->children[0];
+  if (is(copy, Node::Kind::power) && is(children[1], Node::Kind::number) && children[1]->text == "1")
+    return children[0];
+  if (is(copy, Node::Kind::product)) {
+    const bool is_changed = std::ranges::any_of(children, [&](const Tree& child) {
+      return is(child, Node::Kind::product) || is(child, Node::Kind::negative);
+    });
+    return is_changed ? joined_numbers(flat_product(copy)) : copy;
+  }
+  if (!is(copy, Node::Kind::sum)) return copy;
+  Node flat{Node::Kind::sum, "", {}, {}, 0};
+  const auto add = [&](const Tree& term, bool minus) {
+    const bool turns = is(term, Node::Kind::negative);
+    const Tree plain = turns ? term->children[0] : term;
+    if (is(plain, Node::Kind::number) && plain->text == "0") return;
+    flat.children.push_back(plain), flat.inverse.push_back(turns != minus);
+  };
+  for (std::size_t k = 0; k < children.size(); ++k) {
+    const bool turns = is(children[k], Node::Kind::negative);
+    const Tree& inside = turns ? children[k]->children[0] : children[k];
+    if (!is(inside, Node::Kind::sum)) {
+      add(children[k], copy->inverse[k]);
+      continue;
+    }
+    for (std::size_t j = 0; j < inside->children.size(); ++j)
+      add(inside->children[j], (copy->inverse[k] != turns) != inside->inverse[j]);
+  }
+  if (flat.children.empty()) return number("0");
+  if (flat.inverse[0]) flat.children[0] = negative(flat.children[0]), flat.inverse[0] = false;
+  return flat.children.size() == 1 ? flat.children[0] : std::make_shared<const Node>(std::move(flat));
 }
 
 }  // namespace rederive::paper::edits

@@ -1,6 +1,7 @@
 // Changes of a formula in one part, for slips that are made (mutate.hpp) and slips that are looked for.
 #pragma once
 
+#include <derivations/language/symbols.hpp>
 #include <derivations/language/tree.hpp>
 #include <functional>
 
@@ -27,5 +28,15 @@ language::Tree with_child(const language::Tree& tree, std::size_t index, const l
 language::Tree without_child(const language::Tree& tree, std::size_t index);
 /// A copy with these terms subtracted for added, these factors as divisors.
 language::Tree with_flipped(const language::Tree& tree, std::size_t first, std::size_t last);
+
+/// Returns the tree or relation with each symbol of `given` replaced by its value.
+language::Tree put_in(const language::Tree& tree, const std::vector<language::Given>& given,
+                      const language::Symbols& symbols);
+language::Relation put_in(const language::Relation& relation, const std::vector<language::Given>& given,
+                          const language::Symbols& symbols);
+/// Returns the tree as a person writes it after a change of one part: products within products and sums
+/// within sums are one, and a number that the change put before a part is joined to the sign or the numbers
+/// there.
+language::Tree tidied(const language::Tree& tree);
 
 }  // namespace rederive::paper::edits

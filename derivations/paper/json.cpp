@@ -45,13 +45,22 @@ Json to_json(const Entry& entry) {
   const Json proof = to_json(entry.proof);
   const bool approximate = entry.derivation && entry.derivation->order > 0;
   const bool refuted = entry.proof.verdict == Verdict::refuted;
+  Json parts = Json::array();
+  for (const auto& [part, derived, verdict] : entry.parts)
+    parts.push_back({{"part", part.name},
+                     {"printed", part.printed},
+                     {"derived", or_null(derived)},
+                     {"verdict", to_string(verdict)}});
   return {{"id", row.id},
           {"section", row.section},
           {"kind", to_string(row.kind)},
           {"domain", or_null(row.domain)},
-          {"printed", or_null(row.printed)},
+          {"printed", or_null(row.typed.empty() ? row.printed : row.typed)},
+          {"read_as", or_null(row.read_as)},
           {"derived", or_null(entry.derived)},
+          {"parts", parts},
           {"verdict", proof["verdict"]},
+          {"stated", entry.is_stated()},
           {"expected", to_string(row.expected)},
           {"factor", proof["factor"]},
           {"side_conditions", proof["side_conditions"]},

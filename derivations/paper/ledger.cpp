@@ -1,9 +1,11 @@
 #include <fmt/ostream.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <derivations/language/functions.hpp>
 #include <derivations/numbers/interval.hpp>
 #include <derivations/paper/conditions.hpp>
+#include <derivations/paper/integers.hpp>
 #include <derivations/paper/ledger.hpp>
 #include <derivations/paper/prove.hpp>
 #include <set>
@@ -116,11 +118,9 @@ bool is_series(const Relation& relation, const std::vector<std::string>& small, 
 
 /// The verdict where a derivation has an order: what is printed may be more than the series that is derived,
 /// or less.
-Proof with_series(Proof proof, const Relation& printed, const Derivation& derivation, const Symbols& symbols,
-                  const std::vector<Relation>& conditions) {
-  const Relation derived = derived_relation(derivation, symbols);
+Proof with_series(Proof proof, const Compared& both, const Derivation& derivation, const Symbols& symbols) {
   const std::vector<std::string> small = small_symbols(derivation, symbols);
-  const bool is_derived_series = is_series(derived, small, derivation.order, symbols);
+  const bool is_derived_series = is_series(both.derived, small, derivation.order, symbols);
   if (proof.verdict == Verdict::proved || proof.verdict == Verdict::proved_under) {
     if (is_derived_series)
       proof.verdict = Verdict::approximation;
@@ -129,11 +129,11 @@ Proof with_series(Proof proof, const Relation& printed, const Derivation& deriva
           fmt::format("; the match is exact, not only to order {} in {}", derivation.order, derivation.small);
     return proof;
   }
-  const Proof series =
-      decide_to_order(printed, derived, small, derivation.order, symbols, derivation.given, conditions);
+  const Proof series = decide_to_order(both.printed, both.derived, small, derivation.order, symbols,
+                                       both.given, both.conditions);
   if (proof.verdict != Verdict::refuted || series.verdict == Verdict::approximation) return series;
   // where both are series already, the one that differs from the other is wrong
-  const bool are_series = is_derived_series && is_series(printed, small, derivation.order, symbols);
+  const bool are_series = is_derived_series && is_series(both.printed, small, derivation.order, symbols);
   return series.verdict == Verdict::refuted || are_series ? proof : series;
 }
 
@@ -245,20 +245,44 @@ Relation derived_relation(const Derivation& derivation, const Symbols& symbols) 
   return {{to_tree(derivation.left, symbols), to_tree(derivation.right, symbols)}, {derivation.relation}};
 }
 
-Proof compare(const Relation& printed, const Derivation& derivation, const Symbols& symbols,
-              const std::vector<Relation>& conditions) {
-  Proof proof =
-      decide::decide(printed, derived_relation(derivation, symbols), symbols, derivation.given, conditions);
-  if (derivation.order > 0) proof = with_series(std::move(proof), printed, derivation, symbols, conditions);
-  if (proof.verdict == Verdict::proved && !derivation.assumption.empty())
-    proof.verdict = Verdict::proved_under;
-  return proof;
+namespace {
+
+/// Puts what the row says into its derivation.
+void take_from_row(Derivation& derivation, const Row& row) {
+  if (row.order > 0 && derivation.order > 0 && row.order != derivation.order)
+    throw std::invalid_argument(fmt::format("it has the order {}, but the row has the order {} ({})",
+                                            derivation.order, row.order, row.place_of("order")));
+  if (row.order > 0) derivation.order = row.order, derivation.small = row.small;
+  if (row.assume.empty()) return;
+  const std::string& said = derivation.assumption;
+  const bool has_relation =
+      said.substr(0, said.find_first_of(";:")).find_first_of("<>=") != std::string::npos;
+  const std::string own = said.empty() ? "" : (has_relation ? ", " : "; ") + said;
+  derivation.assumption = fmt::format("{}{}", fmt::join(row.assume, ", "), own);
 }
 
-std::optional<Derivation> checked_derivation(const Paper& paper, const std::string& id) {
+}  // namespace
+
+Proof compare(const Relation& printed, const Derivation& derivation, const Symbols& symbols,
+              const std::vector<Relation>& conditions, const std::vector<std::string>& integers) {
+  return compare_whole({printed, derived_relation(derivation, symbols), derivation.given, conditions},
+                       integers, symbols, [&](const Compared& both) {
+                         Proof proof =
+                             decide::decide(both.printed, both.derived, symbols, both.given, both.conditions);
+                         if (derivation.order > 0)
+                           proof = with_series(std::move(proof), both, derivation, symbols);
+                         if (proof.verdict == Verdict::proved && !derivation.assumption.empty())
+                           proof.verdict = Verdict::proved_under;
+                         return proof;
+                       });
+}
+
+std::optional<Derivation> checked_derivation(const Paper& paper, const Row& row, const std::string& id) {
   try {
     std::optional<Derivation> derivation = derivation_of(paper, id);
-    if (derivation) check_derivation(*derivation, paper.symbols);
+    if (!derivation) return derivation;
+    take_from_row(*derivation, row);
+    check_derivation(*derivation, paper.symbols);
     return derivation;
   } catch (const std::exception& error) {
     throw std::runtime_error("the derivation of (" + id + ") cannot be used: " + error.what());

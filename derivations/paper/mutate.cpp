@@ -149,12 +149,16 @@ std::vector<Mutant> mutants(const Relation& printed, const Paper& paper) {
   return result;
 }
 
-Mutation mutate(const Paper& paper, const Row& row, unsigned seed, int most) {
+namespace {
+
+/// Compares mutants of one statement with the derivation `id`.
+Mutation mutate_one(const Paper& paper, const Row& row, const std::string& id, unsigned seed, int most) {
   Mutation outcome;
   outcome.id = row.id;
   std::optional<Derivation> derivation;
   try {
-    derivation = checked_derivation(paper, row.id);
+    if (!row.fault.empty()) throw std::runtime_error(row.fault);
+    derivation = checked_derivation(paper, row, id);
   } catch (const std::runtime_error& error) {
     outcome.error = error.what();
   }
@@ -170,7 +174,8 @@ Mutation mutate(const Paper& paper, const Row& row, unsigned seed, int most) {
     std::swap(all[k - 1], all[random() % k]);  // the same on every library
   if (all.size() > static_cast<std::size_t>(most)) all.resize(static_cast<std::size_t>(most));
   for (const Mutant& mutant : all) {
-    const Verdict verdict = compare(mutant.relation, *derivation, symbols, conditions).verdict;
+    const Verdict verdict =
+        compare(mutant.relation, *derivation, symbols, conditions, paper.integers).verdict;
     ++outcome.mutants;
     if (verdict == Verdict::refuted)
       ++outcome.refuted;
@@ -180,6 +185,24 @@ Mutation mutate(const Paper& paper, const Row& row, unsigned seed, int most) {
       ++outcome.equal;
   }
   return outcome;
+}
+
+}  // namespace
+
+Mutation mutate(const Paper& paper, const Row& row, unsigned seed, int most) {
+  Mutation all;
+  all.id = row.id;
+  const std::vector<RowPart> whole{{"", row.claim()}};
+  for (const RowPart& part : row.parts.empty() ? whole : row.parts) {
+    Row one = row;
+    (row.kind == RowKind::result ? one.statement : one.printed) = part.printed;
+    const Mutation some = mutate_one(paper, one, derivation_id(paper, row, part), seed, most);
+    all.mutants += some.mutants, all.refuted += some.refuted, all.equal += some.equal,
+        all.survived += some.survived;
+    all.survivors.insert(all.survivors.end(), some.survivors.begin(), some.survivors.end());
+    if (all.error.empty()) all.error = some.error;
+  }
+  return all;
 }
 
 }  // namespace rederive::paper

@@ -56,6 +56,10 @@ std::filesystem::path equations_file(const Paper& paper);
 /// Returns the rows of a paper; the first call reads them. Throws BadInput, with file, line and row, for a
 /// file that cannot be read.
 const std::vector<Row>& rows_of(const Paper& paper);
+/// Returns the rows in another file, with their printed forms read by `read_printed`. Throws as rows_of does.
+std::vector<Row> rows_in(const Paper& paper, const std::filesystem::path& file);
+/// Returns the id of the row to which a derivation belongs: "7" for "7[1,2]", "7[+]" and "7".
+std::string row_id(const std::string& derivation);
 /// Returns the row with the given id. Throws std::out_of_range, with the id, if the paper has no such row.
 const Row& row_of(const Paper& paper, const std::string& id);
 

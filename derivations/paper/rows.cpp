@@ -58,7 +58,14 @@ Row read_row(TomlTable& table) {
   row.note = table.text("note");
   row.scan_repaired = table.text("scan_repaired");
   row.follows_from = table.texts("follows_from");
+  row.assume = table.lines("assume");
+  row.order = static_cast<int>(table.whole("order", 1, 12).value_or(0));
+  row.small = table.line("small");
   table.done();
+  for (const std::string& key : table.keys()) row.places[key] = table.where(key);
+  row.places[""] = table.where();
+  if ((row.order == 0) != row.small.empty())
+    table.fail("'order' and 'small' must be given together", row.order == 0 ? "small" : "order");
   row.errors = errors_in(table, error);
   if ((row.kind == RowKind::result) != !row.statement.empty())
     table.fail("a row of kind 'result', and no other, has a 'statement' of ours", "statement");

@@ -81,8 +81,11 @@ class TomlTable {
   }
   /// Throws BadInput at the line of `key`, or of the table if the key is empty or missing.
   [[noreturn]] void fail(const std::string& what, const std::string& key = "") const;
-  /// Returns "FILE:LINE" of the table.
-  std::string where() const { return at(table_->source()); }
+  /// Returns "FILE:LINE" of a key, or of the table if the key is empty or missing.
+  std::string where(const std::string& key = "") const {
+    const toml::node* node = table_->get(key);
+    return at((node == nullptr ? *table_ : *node).source());
+  }
 
   /// Sets the name with which errors begin: "exercise first-lift".
   void call_it(const std::string& name) { name_ = name; }
@@ -296,8 +299,7 @@ inline void TomlTable::check_word(const std::string& key, const std::string& tex
 }
 
 inline void TomlTable::fail(const std::string& what, const std::string& key) const {
-  const toml::node* node = table_->get(key);
-  refuse((node == nullptr ? *table_ : *node).source(), what);
+  throw BadInput(fmt::format("{}: {}{}{}", where(key), name_, name_.empty() ? "" : ": ", what));
 }
 
 inline std::string TomlTable::filled(const std::string& text, const toml::source_region& source) const {

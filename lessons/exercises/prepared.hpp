@@ -4,7 +4,6 @@
 
 #include <lessons/exercises/exercise.hpp>
 #include <lessons/exercises/opinion.hpp>
-#include <lessons/exercises/sieve.hpp>
 #include <lessons/exercises/trees.hpp>
 #include <optional>
 #include <vector>
@@ -29,7 +28,7 @@ struct Prepared {
   std::optional<Signature> signature;
   language::Symbols symbols;                ///< of the paper, with the ranges that the exercise gives
   std::vector<language::Relation> assumed;  ///< what else it gives: relations between symbols
-  std::optional<Sieve> sieve;               ///< of a formula
+  std::optional<paper::Sieve> sieve;        ///< of a formula
   std::vector<Road> roads;                  ///< listed slips, then assumptions, then other slips in a number
   std::size_t choice = 0;                   ///< the right option or term, from 1
 };

@@ -2,51 +2,12 @@
 // one.
 #pragma once
 
+#include <derivations/paper/repairs.hpp>
 #include <string>
 
 namespace rederive::classroom {
 
-/// The slips that the program recognises by itself. `listed` is any other one, such as a slip that an
-/// exercise lists under a word of its own.
-enum class Slip {
-  listed,
-  // A part of a formula, as repairs.cpp finds it; of a number, as prepared.cpp does.
-  sign,
-  wrong_angle,
-  wrong_argument,
-  extra_term,
-  missing_term,
-  factor,
-  taken_away,
-  left_over,
-  extra_factor,
-  missing_factor,
-  power,
-  reciprocal,
-  sin_cos,
-  wrong_function,
-  extra_function,
-  absolute_value,
-  wrong_symbol,
-  exchanged,
-  degrees,
-  rounding,
-  missing_dot,
-  power_of_ten,
-  // A whole answer, as why_wrong.cpp and judge_number.cpp find it.
-  dimension,
-  small_angle,
-  not_linear,
-  not_everywhere,
-  missing_symbol,
-  extra_symbol,
-  unit,
-  missing_unit,
-  assumption,
-  wrong_term,
-  wrong_choice,
-  other
-};
+using paper::Slip;
 
 /// The word under which an answer is counted: a slip, or another stable word, such as "syntax".
 struct Note {

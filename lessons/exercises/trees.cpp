@@ -50,21 +50,6 @@ std::string as_typed(const std::string& printed) {
   return std::regex_replace(printed, in_c, "abs(");
 }
 
-Tree put_in(const Tree& tree, const std::vector<Given>& given, const Symbols& symbols) {
-  Tree result = tree;
-  for (int round = 0; round < 3; ++round)  // a value may hold a name that comes earlier in the list
-    for (const auto& [name, value] : given)
-      result =
-          language::put_in(result, GiNaC::ex_to<GiNaC::symbol>(name).get_name(), to_tree(value, symbols));
-  return result;
-}
-
-Relation put_in(const Relation& relation, const std::vector<Given>& given, const Symbols& symbols) {
-  Relation result = relation;
-  for (auto& side : result.sides) side = put_in(side, given, symbols);
-  return result;
-}
-
 bool hold_at(const std::vector<Relation>& relations, const Point& point) {
   return std::ranges::all_of(relations, [&](const Relation& relation) {
     const Sign sign = sign_at(relation.sides[0], relation.sides[1], point);

@@ -16,12 +16,6 @@ using namespace paper::edits;
 /// Returns what is printed with functions as students type them: abs, not fabs.
 std::string as_typed(const std::string& printed);
 
-/// Returns the tree or relation with each symbol of `given` replaced by its value.
-language::Tree put_in(const language::Tree& tree, const std::vector<language::Given>& given,
-                      const language::Symbols& symbols);
-language::Relation put_in(const language::Relation& relation, const std::vector<language::Given>& given,
-                          const language::Symbols& symbols);
-
 /// Returns `count` points, or fewer if they are hard to find, that give every symbol an exact value in its
 /// range, different values to the symbols in `names`, and at which `assumed` holds. Then the angles are
 /// multiplied by `angles`: the rotations θ, and the shape α unless `rotations_only`.

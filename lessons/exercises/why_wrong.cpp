@@ -1,10 +1,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <derivations/numbers/interval.hpp>
+#include <derivations/paper/repairs.hpp>
 #include <functional>
-#include <lessons/exercises/repairs.hpp>
 #include <lessons/exercises/why_wrong.hpp>
 #include <lessons/page/prose.hpp>
 
@@ -129,9 +130,26 @@ std::optional<Repair> repair_of(const Prepared& prepared, const Relation& read) 
   std::vector<Relation> forms{prepared.answer.relation};
   for (const auto& text : prepared.exercise.equivalents)
     forms.push_back(parse_statement(text, prepared.symbols));
-  return repaired(read, forms, *prepared.sieve, prepared.exercise, [&](const Repair& repair) {
-    return is_right(proof_of(prepared, repair.relation, prepared.answer.relation).verdict);
-  });
+  return repaired(read, forms, *prepared.sieve,
+                  {prepared.exercise.language(), prepared.exercise.symbols, prepared.exercise.pivot},
+                  [&](const Repair& repair) {
+                    return is_right(proof_of(prepared, repair.relation, prepared.answer.relation).verdict);
+                  });
+}
+
+/// Returns what to say to the student: the part, and what is wrong with it.
+std::string in_words(const Repair& repair) {
+  const auto quoted = [](const Tree& part) { return "$" + print(part) + "$"; };
+  std::string part = repair.part == nullptr ? "your answer" : quoted(repair.part);
+  if (repair.other != nullptr) part += " and " + quoted(repair.other);
+  if (repair.term != nullptr) part += " (in the term " + quoted(repair.term) + ")";
+  std::string text = repair.part == nullptr ? slip_words(SlipTable::whole, repair.slip) : "";
+  if (text.empty()) text = fmt::format(fmt::runtime(slip_words(SlipTable::part, repair.slip)), part);
+  text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
+  if (repair.slip == Slip::wrong_angle && repair.part != nullptr &&
+      (names_of(repair.part).contains("theta") || names_of(repair.part).contains("alpha")))
+    text += " Which angle is it in the drawing?";
+  return text + (repair.part == nullptr ? "" : " Everything else is right.");
 }
 
 }  // namespace

@@ -32,11 +32,23 @@ std::string unicode_or(const std::string& printed, const Symbols& symbols) {
   return print(parse_statement(printed, symbols), Notation::unicode, symbols);
 }
 
+/// What a row says, as it is typed if our syntax has other words for it, or cannot be read.
+std::string shown(const Row& row, const Symbols& symbols) {
+  if (!row.typed.empty() || !row.fault.empty())
+    return !row.typed.empty() ? row.typed : row.claim().empty() ? row.latex : row.claim();
+  return unicode_or(row.claim(), symbols);
+}
+
+/// The verdict as a word of the table: a row that is proved by a derivation that only states it is `stated`.
+std::string word_of(const Entry& entry) {
+  return entry.is_stated() ? "stated" : to_string(entry.proof.verdict);
+}
+
 }  // namespace
 
 std::map<std::string, int> counts(const std::vector<Entry>& entries) {
   std::map<std::string, int> result;
-  for (const Entry& entry : entries) ++result[to_string(entry.proof.verdict)];
+  for (const Entry& entry : entries) ++result[word_of(entry)];
   return result;
 }
 
@@ -49,12 +61,11 @@ Json to_json(const std::vector<Entry>& entries, const Paper& paper) {
 std::string ledger_table(const std::vector<Entry>& entries, const Symbols& symbols, bool colour) {
   std::string text = fmt::format("{:<6} {:<14} {}\n", "", "verdict", "as printed");
   for (const Entry& entry : entries) {
-    const std::string verdict = to_string(entry.proof.verdict);
     const bool unexpected = entry.proof.verdict != entry.row.expected;
-    const std::string formula = entry.row.printed.empty() ? entry.row.statement : entry.row.printed;
-    text += fmt::format(
-        "{:<6} {} {}{}\n", entry.row.id, painted(fmt::format("{:<14}", verdict), entry.proof.verdict, colour),
-        unicode_or(formula, symbols), unexpected ? "   <- expected " + to_string(entry.row.expected) : "");
+    text += fmt::format("{:<6} {} {}{}\n", entry.row.id,
+                        painted(fmt::format("{:<14}", word_of(entry)), entry.proof.verdict, colour),
+                        shown(entry.row, symbols),
+                        unexpected ? "   <- expected " + to_string(entry.row.expected) : "");
     if (entry.proof.verdict == Verdict::error) text += fmt::format("{:<6} {}\n", "", entry.proof.reason);
   }
   text += "\n" + counted(entries.size(), "row") + ":";
@@ -70,11 +81,15 @@ std::string ledger_page(const Entry& entry, const Symbols& symbols, bool colour)
   const auto line = [&](const char* name, const std::string& value) {
     if (!value.empty()) text += fmt::format("  {:<16} {}\n", name, value);
   };
-  line("printed", unicode_or(row.printed, symbols));
-  line("stated", unicode_or(row.statement, symbols));
+  line(row.kind == RowKind::result ? "stated" : "printed", shown(row, symbols));
+  if (!row.read_as.empty()) line("LaTeX", row.latex);
+  if (!row.typed.empty() && row.fault.empty()) line("that is", unicode_or(row.claim(), symbols));
   line("derived", unicode_or(entry.derived, symbols));
+  for (const auto& [part, derived, verdict] : entry.parts)
+    line(("  [" + part.name + "]").c_str(), to_string(verdict) + "  " + unicode_or(part.printed, symbols));
   line("verdict",
        painted(to_string(entry.proof.verdict), entry.proof.verdict, colour) +
+           (entry.is_stated() ? "   (stated: its derivation has no step of its own)" : "") +
            (entry.proof.verdict == row.expected ? "" : "   (expected: " + to_string(row.expected) + ")"));
   line("because", entry.proof.reason);
   if (entry.proof.factor != "1") line("factor", entry.proof.factor);

@@ -34,19 +34,9 @@ struct Options {
   ProveRequest request;
 };
 
-Entry judged_row(const Row& row, const Paper& paper) {
-  try {
-    return judge(paper, row);
-  } catch (const SyntaxError& error) {
-    throw BadInput("row " + row.id + ": " + explain(error, row.printed));
-  } catch (const std::invalid_argument& error) {
-    throw BadInput("row " + row.id + ": " + error.what());
-  }
-}
-
 std::vector<Entry> all(const Options& options) {
   std::vector<Entry> entries;
-  for (const Row& row : rows_of(options.paper)) entries.push_back(judged_row(row, options.paper));
+  for (const Row& row : rows_of(options.paper)) entries.push_back(judge(options.paper, row));
   return entries;
 }
 
@@ -80,7 +70,7 @@ int show_all(const Options& options) {
 }
 
 int show_one(const Options& options) {
-  const Entry entry = judged_row(row_with(options.id, options.paper), options.paper);
+  const Entry entry = judge(options.paper, row_with(options.id, options.paper));
   if (options.coq)
     options.json ? put({{"id", entry.row.id}, {"coq", lemma_page(options.paper, entry)}})
                  : put(lemma_page(options.paper, entry));
@@ -180,12 +170,12 @@ void take_rows(Options& options) {
   Paper& paper = options.paper;
   if (!options.equations.empty()) {
     paper.rows = {};
-    paper.rows([&] { return read_rows(options.equations); });
+    paper.rows([&] { return rows_in(paper, options.equations); });
     return;
   }
   const std::vector<Row>& rows = rows_of(paper);
   for (const std::string& id : paper.derivations.ids())
-    if (std::ranges::find(rows, id, &Row::id) == rows.end())
+    if (std::ranges::find(rows, row_id(id), &Row::id) == rows.end())
       throw BadInput("a derivation is listed for (" + id + "), but it is not a row of " +
                      equations_file(paper).string() + "; its rows are " +
                      joined(rows, ", ", [](const Row& row) { return row.id; }));

@@ -2,11 +2,11 @@
 #include <doctest/doctest.h>
 
 #include <derivations/numbers/evaluate.hpp>
+#include <derivations/paper/latex.hpp>
 #include <derivations/paper/ledger.hpp>
 #include <lessons/page/prose.hpp>
 #include <tests/block.hpp>
 #include <tests/cases.hpp>
-#include <tests/lessons/page/latex_reader.hpp>
 #include <tests/random.hpp>
 #include <tests/run_program.hpp>
 
@@ -141,7 +141,7 @@ TEST_CASE("LaTeX reads back as the same tree, and the pieces of a long formula a
     const Text text = print(tree, Notation::latex);
     CAPTURE(print(tree));
     CAPTURE(text);
-    REQUIRE(is_same(flat(LatexReader(text).whole()), flat(tree)));
+    REQUIRE(is_same(flat(parse(from_latex(text, paper_symbols()))), flat(tree)));
     for (const Notation notation : {Notation::plain, Notation::unicode, Notation::latex})
       REQUIRE(joined(pieces({{tree}, {}}), " ", [&](const Piece& piece) {
                 return print(piece, notation, paper_symbols());

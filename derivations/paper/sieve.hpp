@@ -1,13 +1,14 @@
 // Sifts many candidates for the right answer, in doubles. What passes must still be proved.
 #pragma once
 
-#include <lessons/exercises/exercise.hpp>
+#include <derivations/language/symbols.hpp>
+#include <derivations/language/tree.hpp>
 #include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
-namespace rederive::classroom {
+namespace rederive::paper {
 
 using RoughPoint = std::map<std::string, double, std::less<>>;
 
@@ -41,4 +42,4 @@ class Sieve {
   std::vector<Sample> points_;
 };
 
-}  // namespace rederive::classroom
+}  // namespace rederive::paper

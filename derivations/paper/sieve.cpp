@@ -4,15 +4,15 @@
 #include <cmath>
 #include <derivations/language/functions.hpp>
 #include <derivations/numbers/interval.hpp>
-#include <lessons/exercises/sieve.hpp>
-#include <lessons/exercises/trees.hpp>
+#include <derivations/paper/edits.hpp>
+#include <derivations/paper/sieve.hpp>
 #include <numbers>
 
-namespace rederive::classroom {
+namespace rederive::paper {
 using namespace language;
 using namespace numbers;
 using namespace decide;
-using namespace paper;
+using namespace edits;
 namespace {
 
 using NodeKind = Node::Kind;
@@ -33,16 +33,16 @@ double called(const std::string& name, double x) {
 
 /// Returns the size of the terms whose sum is the value: it limits the digits that are known after
 /// cancellation.
-double size_of(const Tree& tree, const RoughPoint& at) {
+double magnitude(const Tree& tree, const RoughPoint& at) {
   double result = tree->kind == NodeKind::product ? 1 : 0;
-  if (tree->kind == NodeKind::negative) return size_of(tree->children[0], at);
+  if (tree->kind == NodeKind::negative) return magnitude(tree->children[0], at);
   if (tree->kind != NodeKind::sum && tree->kind != NodeKind::product) return std::abs(rough_value(tree, at));
   for (std::size_t i = 0; i < tree->children.size(); ++i) {
     const Tree& child = tree->children[i];
     if (tree->kind == NodeKind::sum)
-      result += size_of(child, at);
+      result += magnitude(child, at);
     else
-      result *= tree->inverse[i] ? 1 / std::abs(rough_value(child, at)) : size_of(child, at);
+      result *= tree->inverse[i] ? 1 / std::abs(rough_value(child, at)) : magnitude(child, at);
   }
   return result;
 }
@@ -52,8 +52,8 @@ std::pair<double, double> residual(const Relation& statement, const RoughPoint& 
   const bool equation = !statement.operators.empty();
   const double left = rough_value(statement.sides[0], at),
                other = equation ? rough_value(statement.sides[1], at) : right;
-  return {left - other,
-          size_of(statement.sides[0], at) + (equation ? size_of(statement.sides[1], at) : std::abs(right))};
+  return {left - other, magnitude(statement.sides[0], at) +
+                            (equation ? magnitude(statement.sides[1], at) : std::abs(right))};
 }
 
 bool vanishes(const std::pair<double, double>& residual) {
@@ -212,4 +212,4 @@ std::optional<double> Sieve::solved(const Relation& candidate) const {
   return result;
 }
 
-}  // namespace rederive::classroom
+}  // namespace rederive::paper

@@ -1,19 +1,19 @@
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <cctype>
 #include <cmath>
-#include <lessons/exercises/repairs.hpp>
-#include <lessons/exercises/trees.hpp>
+#include <derivations/decide/problem.hpp>
+#include <derivations/language/lower.hpp>
+#include <derivations/language/syntax.hpp>
+#include <derivations/paper/edits.hpp>
+#include <derivations/paper/repairs.hpp>
+#include <map>
 #include <numbers>
 #include <set>
 
-namespace rederive::classroom {
+namespace rederive::paper {
 using namespace language;
 using namespace numbers;
 using namespace decide;
-using namespace paper;
-using namespace page;
+using namespace edits;
 namespace {
 
 using NodeKind = Node::Kind;
@@ -28,8 +28,8 @@ bool are_exchanged(const std::string& one, const std::string& other) {
   return pairs.contains({one, other});
 }
 
-bool is_symbol(const Tree& part) { return part->kind == NodeKind::symbol; }
-bool is_number(const Tree& part) { return part->kind == NodeKind::number; }
+bool is_any_symbol(const Tree& part) { return part->kind == NodeKind::symbol; }
+bool is_any_number(const Tree& part) { return part->kind == NodeKind::number; }
 
 std::size_t occurrences(const Tree& tree, const Tree& part) {
   std::size_t count = is_same(tree, part) ? 1 : 0;
@@ -59,7 +59,7 @@ struct Parts {
         tree->kind == NodeKind::sum)
       add(factors, tree);
     for (const auto& [first, last] : runs_of(tree))  // such as omega_p/p
-      if (std::all_of(&tree->children[first], &tree->children[last] + 1, is_symbol))
+      if (std::all_of(&tree->children[first], &tree->children[last] + 1, is_any_symbol))
         add(factors, part_of(tree, first, last));
   }
 };
@@ -74,16 +74,16 @@ struct Place {
 class Search {
  public:
   Search(const Relation& answer, const std::vector<Relation>& forms, const Sieve& sieve,
-         const Exercise& exercise, const std::function<bool(const Repair&)>& accept)
+         const RepairSetting& setting, const std::function<bool(const Repair&)>& accept)
       : answer_(answer),
         sieve_(sieve),
-        symbols_(exercise.symbols),
-        pivot_(answer.operators.empty() ? "" : exercise.pivot),
+        symbols_(setting.symbols),
+        pivot_(answer.operators.empty() ? "" : setting.pivot),
         accept_(accept) {
     for (const auto& form : forms)
       for (const auto& side : form.sides) {
         parts_.collect(side);
-        const Tree expanded = to_tree(lower(side, exercise.language()).expand(), exercise.language());
+        const Tree expanded = to_tree(lower(side, setting.language).expand(), setting.language);
         parts_.add(parts_.terms, expanded);
         if (expanded->kind == NodeKind::sum) parts_.collect(expanded);
       }
@@ -110,7 +110,8 @@ class Search {
 
   /// Returns whether a part is the pivot with its factors, but without a number that the student added.
   bool is_of_pivot(const Tree& node) const {
-    const bool numbered = node->kind == NodeKind::product && std::ranges::any_of(node->children, is_number);
+    const bool numbered =
+        node->kind == NodeKind::product && std::ranges::any_of(node->children, is_any_number);
     return !pivot_.empty() && !numbered && names_of(node).contains(pivot_);
   }
 
@@ -326,25 +327,12 @@ class Search {
 }  // namespace
 
 std::optional<Repair> repaired(const Relation& answer, const std::vector<Relation>& forms, const Sieve& sieve,
-                               const Exercise& exercise, const std::function<bool(const Repair&)>& accept) {
+                               const RepairSetting& setting,
+                               const std::function<bool(const Repair&)>& accept) {
   std::size_t size = 0;
   for (const auto& side : answer.sides) size += size_of(side);
   if (size > 150 || sieve.is_empty() || names_of(answer).empty()) return {};
-  return Search(answer, forms, sieve, exercise, accept).run();
+  return Search(answer, forms, sieve, setting, accept).run();
 }
 
-std::string in_words(const Repair& repair) {
-  const auto quoted = [](const Tree& part) { return "$" + print(part) + "$"; };
-  std::string part = repair.part == nullptr ? "your answer" : quoted(repair.part);
-  if (repair.other != nullptr) part += " and " + quoted(repair.other);
-  if (repair.term != nullptr) part += " (in the term " + quoted(repair.term) + ")";
-  std::string text = repair.part == nullptr ? slip_words(SlipTable::whole, repair.slip) : "";
-  if (text.empty()) text = fmt::format(fmt::runtime(slip_words(SlipTable::part, repair.slip)), part);
-  text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
-  if (repair.slip == Slip::wrong_angle && repair.part != nullptr &&
-      (names_of(repair.part).contains("theta") || names_of(repair.part).contains("alpha")))
-    text += " Which angle is it in the drawing?";
-  return text + (repair.part == nullptr ? "" : " Everything else is right.");
-}
-
-}  // namespace rederive::classroom
+}  // namespace rederive::paper
