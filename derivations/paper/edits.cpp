@@ -4,6 +4,7 @@
 #include <numeric>
 
 namespace rederive::paper::edits {
+using namespace language;
 
 Tree number(const std::string& digits) { return make_tree(Node::Kind::number, digits); }
 

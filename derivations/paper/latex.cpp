@@ -22,7 +22,7 @@ struct LatexToken {
 using Tokens = std::vector<LatexToken>;
 
 [[noreturn]] void refuse_at(std::size_t position, const std::string& message) {
-  throw SyntaxError("latex", position, message);
+  throw SyntaxError(Mistake::syntax, position, message);
 }
 
 bool is_latin(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }

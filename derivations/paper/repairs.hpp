@@ -1,5 +1,5 @@
-// Compares a wrong answer with the right one term by term: which one part of it, changed in which way, makes
-// it right.
+// Compares a wrong answer with the right one term by term, and finds the one part that makes the answer right
+// when it is changed.
 #pragma once
 
 #include <derivations/paper/sieve.hpp>
@@ -66,8 +66,8 @@ struct Repair {
 };
 
 /// Tries every single change, the plainest first, and passes those that the sieve lets through to `accept`,
-/// until it returns true. `forms` of the right answer lend their terms and factors for what is missing.
-/// Returns nothing for an answer of more than 150 parts.
+/// until it returns true. `forms` of the right answer provide terms and factors that may be missing. Returns
+/// nothing for an answer of more than 150 parts.
 std::optional<Repair> repaired(const language::Relation& answer, const std::vector<language::Relation>& forms,
                                const Sieve& sieve, const RepairSetting& setting,
                                const std::function<bool(const Repair&)>& accept);

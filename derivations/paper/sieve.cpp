@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <derivations/decide/problem.hpp>
 #include <derivations/language/functions.hpp>
+#include <derivations/language/lower.hpp>
+#include <derivations/language/syntax.hpp>
 #include <derivations/numbers/interval.hpp>
 #include <derivations/paper/edits.hpp>
 #include <derivations/paper/sieve.hpp>
