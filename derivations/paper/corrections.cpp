@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <derivations/decide/problem.hpp>
+#include <derivations/language/lower.hpp>
 #include <derivations/paper/corrections.hpp>
 #include <derivations/paper/edits.hpp>
 #include <derivations/paper/repairs.hpp>
@@ -29,6 +30,22 @@ Symbols only(const std::set<std::string>& names, const Symbols& symbols) {
   for (const std::string& name : symbols.names())
     if (names.contains(name)) result.declare(*symbols.find(name));
   return result;
+}
+
+bool has_part(const Tree& tree, const Tree& part) {
+  return is_same(tree, part) ||
+         std::ranges::any_of(tree->children, [&](const Tree& child) { return has_part(child, part); });
+}
+
+/// The tree with the functions that are not printed in their canonical form: cos(a - b) for cos((2*a -
+/// 2*b)/2).
+Tree with_expanded_arguments(const Tree& tree, const Relation& printed, const Symbols& symbols) {
+  return edits::with_functions(tree, [&](const Tree& call) {
+    const auto has_call = [&](const Tree& side) { return has_part(side, call); };
+    if (std::ranges::any_of(printed.sides, has_call)) return call;
+    const Tree argument = to_tree(lower(call->children[0], symbols).expand(), symbols);
+    return to_tree(lower(edits::with_child(call, 0, argument), symbols), symbols);
+  });
 }
 
 /// The symbols for which the derived equation may be solved, the one on its left side first.
@@ -73,7 +90,7 @@ std::string correction_of(const Paper& paper, const Relation& printed, const Der
       if (repair.slip == Slip::taken_away || repair.slip == Slip::left_over) return false;  // no misprints
       if (is_symbol(printed.sides[0]) && !is_same(repair.relation.sides[0], printed.sides[0])) return false;
       right = repair.relation;
-      for (Tree& side : right.sides) side = edits::tidied(side);
+      for (Tree& side : right.sides) side = with_expanded_arguments(edits::tidied(side), printed, symbols);
       return is_right(right);
     };
     if (repaired(printed, {derived}, sieve, {used, used.names(), pivot}, accept)) return print(right);

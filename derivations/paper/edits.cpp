@@ -92,39 +92,31 @@ Relation put_in(const Relation& relation, const std::vector<Given>& given, const
 
 namespace {
 
-/// A product as a chain of factors and divisors, without products among them.
-Node flat_product(const Tree& tree) {
-  Node flat{Node::Kind::product, "", {}, {}, 0};
-  for (std::size_t k = 0; k < tree->children.size(); ++k) {
-    const Tree& child = tree->children[k];
-    const bool is_product = child->kind == Node::Kind::product;
-    const Node inside = is_product ? *child : Node{Node::Kind::product, "", {child}, {false}, 0};
-    for (std::size_t j = 0; j < inside.children.size(); ++j) {
-      flat.children.push_back(inside.children[j]);
-      flat.inverse.push_back(tree->inverse[k] != inside.inverse[j]);
-    }
-  }
-  return flat;
-}
-
 bool is_whole(const Tree& tree) {
   return tree->kind == Node::Kind::number && tree->text.size() < 7 &&
          tree->text.find_first_not_of("0123456789") == std::string::npos && tree->text != "0";
 }
 
-/// The product with one number above and one below, in lowest terms; signs of factors before the whole.
-Tree joined_numbers(const Node& flat) {
+/// The product with one number above and one below, in lowest terms, and without products among its factors;
+/// signs of factors come before the whole.
+Tree joined_factors(const Tree& whole) {
   long above = 1, below = 1;
   bool is_negative = false;
   Node rest{Node::Kind::product, "", {}, {}, 0};
-  for (std::size_t k = 0; k < flat.children.size(); ++k) {
-    Tree child = flat.children[k];
-    if (child->kind == Node::Kind::negative) is_negative = !is_negative, child = child->children[0];
-    if (is_whole(child))
-      (flat.inverse[k] ? below : above) *= std::stol(child->text);
-    else
-      rest.children.push_back(child), rest.inverse.push_back(flat.inverse[k]);
-  }
+  const std::function<void(const Tree&, bool)> add = [&](const Tree& part, bool divides) {
+    if (part->kind == Node::Kind::negative) {
+      is_negative = !is_negative;
+      add(part->children[0], divides);
+    } else if (part->kind == Node::Kind::product && !divides) {
+      for (std::size_t k = 0; k < part->children.size(); ++k) add(part->children[k], part->inverse[k]);
+    } else if (is_whole(part)) {
+      (divides ? below : above) *= std::stol(part->text);
+    } else {
+      rest.children.push_back(part);
+      rest.inverse.push_back(divides);
+    }
+  };
+  add(whole, false);
   const long common = std::gcd(above, below);
   above /= common, below /= common;
   const bool has_factor = !rest.inverse.empty() && !rest.inverse[0];
@@ -152,10 +144,11 @@ Tree tidied(const Tree& tree) {
   if (is(copy, Node::Kind::power) && is(children[1], Node::Kind::number) && children[1]->text == "1")
     return children[0];
   if (is(copy, Node::Kind::product)) {
-    const bool is_changed = std::ranges::any_of(children, [&](const Tree& child) {
-      return is(child, Node::Kind::product) || is(child, Node::Kind::negative);
-    });
-    return is_changed ? joined_numbers(flat_product(copy)) : copy;
+    bool is_changed = false;
+    for (std::size_t k = 0; k < children.size(); ++k)
+      is_changed = is_changed || is(children[k], Node::Kind::negative) ||
+                   (is(children[k], Node::Kind::product) && !copy->inverse[k]);
+    return is_changed ? joined_factors(copy) : copy;
   }
   if (!is(copy, Node::Kind::sum)) return copy;
   Node flat{Node::Kind::sum, "", {}, {}, 0};

@@ -78,6 +78,10 @@ Findings findings(const Entry& entry, const Paper& paper) {
   const auto words = [&](const std::string& label, const std::string& text) {
     if (!text.empty()) result.lines.push_back({.label = label, .words = text});
   };
+  if (!entry.row.fault.empty()) {
+    words("why", literal(entry.row.fault));
+    return result;
+  }
   formula("printed", entry.row.printed);
   formula("correct", entry.correction);
   const std::string& factor = entry.proof.factor;

@@ -106,6 +106,7 @@ std::vector<Passage> other_rows(const Lesson& lesson, const Setting& setting,
         std::ranges::any_of(rest, is_about(id)))
       continue;
     const Entry entry = judged(setting.paper, id);
+    if (!entry.row.fault.empty()) continue;
     rest.push_back(Formula{entry.derivation ? derived_relation(*entry.derivation, setting.paper.symbols)
                                             : parse_relation(entry.row.claim(), setting.paper.symbols),
                            id});

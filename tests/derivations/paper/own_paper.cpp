@@ -120,14 +120,14 @@ TEST_CASE("a row is judged by its derivation, with its ranges, its domain and wh
   const Json slip = judged(cases("verdicts").back());
   CHECK(contains(slip["reason"], "q_7"));
   CHECK(contains(slip["reason"], "assumption"));
-  const Result r = run_paper(
-      {[] { declare("theta_0"); }, row("1", "x = y", "domain = \"theta_0 near alpha\""), {{"1", x_is_y}}},
-      {});
-  CHECK(r.exit_code == 2);
-  CHECK(contains(r.err, "theta_0 near alpha"));
+  const Json unread =
+      judged([] { declare("theta_0"); }, row("1", "x = y", "domain = \"theta_0 near alpha\""), x_is_y, 1);
+  CHECK(unread["verdict"] == "error");
+  CHECK(contains(unread["reason"], "paper.toml:8: row 1: domain: "));
+  CHECK(contains(unread["reason"], "theta_0 near alpha"));
 }
 
-TEST_CASE("a slip in one argument is corrected in its place, any other by what is derived") {
+TEST_CASE("a slip in one place is corrected there, several by what is derived") {
   each_case("corrections", [](const Cells& row) {
     const Json entry = judged(Cells{row[0], row[1], "refuted", row[2]});
     CHECK(entry["correction"] == (row.size() > 3 ? Json(row[3]) : entry["derived"]));
@@ -206,6 +206,38 @@ TEST_CASE("a derivation that cannot be used makes an error of its row alone") {
     CHECK(run_paper(paper, arguments).exit_code == 1);
   CHECK(run_paper(paper, {"graph"}).exit_code == 0);
   CHECK(run_paper(paper, {"errata", "--format", "latex"}).exit_code == 0);
+}
+
+TEST_CASE("a row that cannot be read is an error with its place, and the others are judged") {
+  const PaperOfATest paper{
+      nothing, row("1", "x = y +") + row("2", "x = 2*y", "", "refuted"), {{"1", x_is_y}, {"2", x_is_y}}};
+  const Json rows = judged(paper, 1);
+  CHECK(contains(rows[0]["reason"], "paper.toml:5: row 1: printed: an operand is missing"));
+  CHECK(rows[1]["verdict"] == "refuted");
+  const Result table = run_paper(paper, {});
+  CHECK(table.exit_code == 1);
+  CHECK(contains(table.out, "\n2 rows: 1 error, 1 refuted\n"));
+  for (const Cells& arguments :
+       {Cells{"show", "1"}, {"mutate"}, {"certify", "proofs"}, {"show", "1", "--json"}})
+    CHECK(run_paper(paper, arguments).exit_code == (arguments[0] == "certify" ? 0 : 1));
+}
+
+TEST_CASE("what a derivation states without a step is counted apart") {
+  const auto stated = [] {
+    Derivation result = x_is_y();
+    result.is_stated = true;
+    return result;
+  };
+  const PaperOfATest paper{nothing,
+                           row("1", "x = y") + row("2", "x = y") + row("3", "x = 2*y", "", "refuted"),
+                           {{"1", stated}, {"2", x_is_y}, {"3", stated}}};
+  const Json rows = judged(paper);
+  CHECK(rows[0]["verdict"] == "proved");
+  CHECK(rows[0]["stated"] == true);
+  CHECK(rows[1]["stated"] == false);
+  CHECK(rows[2]["stated"] == false);
+  CHECK(contains(run_paper(paper, {}).out, "\n3 rows: 1 proved, 1 refuted, 1 stated\n"));
+  CHECK(contains(run_paper(paper, {"show", "1"}).out, "its derivation has no step of its own"));
 }
 
 TEST_CASE("what is derived from itself is an error that says so") {
