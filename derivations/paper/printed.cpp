@@ -453,7 +453,10 @@ void read_printed(const Paper& paper, Row& row) {
   try {
     read_field(paper, row);
   } catch (const SyntaxError& error) {
-    fail(field, explain(error, is_latex ? row.latex : row.claim()));
+    const std::string& text = is_latex ? row.latex : row.claim();
+    const std::string rest = text.substr(std::min(error.position, text.size()));
+    fail(field,
+         error.what() + (rest.empty() ? std::string(", at the end") : ", at '" + printable_line(rest) + "'"));
   } catch (const std::exception& error) {
     fail(field, error.what());
   }
