@@ -447,6 +447,7 @@ void read_printed(const Paper& paper, Row& row) {
   const bool is_latex = row.claim().empty();
   const std::string field = is_latex ? "latex" : row.kind == RowKind::result ? "statement" : "printed";
   const auto fail = [&](const std::string& name, const std::string& what) {
+    row.parts.clear();
     if (row.fault.empty())
       row.fault = fmt::format("{}: row {}: {}: {}", row.place_of(name), row.id, name, what);
   };

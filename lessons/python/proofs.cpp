@@ -93,8 +93,7 @@ std::vector<Told> ledger(const Source& source) {
   return judged(source, [](const Paper& paper, const std::vector<Entry>& entries) {
     std::vector<Told> told;
     for (const Entry& entry : entries)
-      told.emplace_back(to_json(entry).dump(),
-                        latex(entry.row.fault.empty() ? entry.row.claim() : "", paper.symbols),
+      told.emplace_back(to_json(entry).dump(), latex(entry.row.claim(), paper.symbols),
                         latex(entry.derived, paper.symbols));
     return told;
   });
