@@ -269,15 +269,17 @@ class LatexReader {
   Piece product() {
     if (!starts_operand()) refuse("an operand is missing here");
     Piece result = factor();
-    bool has_slash = false;
+    const auto is_number = [](const Piece& piece) {
+      return piece.text.find_first_not_of("0123456789.") == std::string::npos;
+    };
+    bool has_slash = false, follows_number = is_number(result);
     while (true) {
       const std::size_t position = now().position;
       const bool divides = take("/");
       const bool is_explicit = divides || take("*");
       if (!is_explicit && !starts_operand()) return result;
-      const bool is_number = is_digit(now().text[0]),
-                 is_mixed = is_digit(result.text.back()) && is("\\frac") && !is_explicit;
-      if (!is_explicit && is_number && is_digit(result.text.back()))
+      const bool is_mixed = follows_number && is("\\frac") && !is_explicit;
+      if (!is_explicit && follows_number && is_digit(now().text[0]))
         refuse("two numbers side by side may be a sum or a product: write \\cdot");
       if (has_slash && !is_explicit)
         refuse_at(position, "behind a/b, this may be a factor of the whole or of the divisor: write \\frac");
@@ -285,6 +287,7 @@ class LatexReader {
       if (is_mixed && next.text.find_first_not_of("0123456789/") == std::string::npos)
         refuse_at(position, "this may be a sum or a product: write \\cdot");
       has_slash = has_slash || divides;
+      follows_number = is_number(next);
       const std::string right = divides || next.level == Level::sum ? next.as(Level::power) : next.text;
       result = {Level::product, result.as(Level::product) + (divides ? "/" : "*") + right};
     }

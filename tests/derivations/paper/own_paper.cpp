@@ -219,7 +219,8 @@ TEST_CASE("a row that cannot be read is an error with its place, and the others 
   CHECK(contains(table.out, "\n2 rows: 1 error, 1 refuted\n"));
   for (const Cells& arguments :
        {Cells{"show", "1"}, {"mutate"}, {"certify", "proofs"}, {"show", "1", "--json"}})
-    CHECK(run_paper(paper, arguments).exit_code == (arguments[0] == "certify" ? 0 : 1));
+    CHECK_MESSAGE(run_paper(paper, arguments).exit_code == (arguments[0] == "certify" ? 0 : 1),
+                  run_paper(paper, arguments).err);
 }
 
 TEST_CASE("what a derivation states without a step is counted apart") {
