@@ -22,11 +22,14 @@ std::string name_of_function(const ex& e) {
   return is_a<GiNaC::function>(e) ? GiNaC::ex_to<GiNaC::function>(e).get_name() : "";
 }
 
+ex with_squares(const ex& e, const GiNaC::lst& squares) {
+  return e.expand().subs(squares, GiNaC::subs_options::algebraic).expand();
+}
+
 ex in_sines(const ex& e) {
   const ex any = GiNaC::wild();
-  const GiNaC::lst squares{pow(cos(any), 2) == 1 - pow(sin(any), 2),
-                           pow(cosh(any), 2) == 1 + pow(sinh(any), 2)};
-  return e.expand().subs(squares, GiNaC::subs_options::algebraic).expand();
+  return with_squares(e,
+                      {pow(cos(any), 2) == 1 - pow(sin(any), 2), pow(cosh(any), 2) == 1 + pow(sinh(any), 2)});
 }
 
 /// Returns e with the equations put in: for a side that is a symbol, or else for the left side.
@@ -184,9 +187,8 @@ std::string text_of(const ex& e) { return print(e, Notation::plain, {}); }
 
 ex by_pythagoras(const ex& e) {
   const ex any = GiNaC::wild();
-  const GiNaC::lst squares{pow(sin(any), 2) == 1 - pow(cos(any), 2),
-                           pow(sinh(any), 2) == pow(cosh(any), 2) - 1};
-  return e.expand().subs(squares, GiNaC::subs_options::algebraic).expand();
+  return with_squares(e,
+                      {pow(sin(any), 2) == 1 - pow(cos(any), 2), pow(sinh(any), 2) == pow(cosh(any), 2) - 1});
 }
 
 ex simplified(const ex& e) {
@@ -201,10 +203,7 @@ ex simplified(const ex& e) {
 
 bool vanishes(const ex& e, const Relations& known) {
   ex above = with_equations(e, known).normal().numer().expand();
-  for (ex before; !before.is_equal(above);) {  // as long as an equation lowers a power
-    before = above;
-    above = with_equations(above, known).expand();
-  }
+  for (int round = 0; round < 4; ++round) above = with_equations(above, known).expand();  // to lower powers
   return by_pythagoras(above).normal().is_zero();
 }
 
