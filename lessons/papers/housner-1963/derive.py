@@ -220,14 +220,15 @@ def sine_course():
 @paper.row("20")
 def least_amplitude():
     _, sinh, cosh, sine = sine_motion()
-    phase, cot = sp.pi, sp.Symbol("cot")
+    phase, cot, decay = sp.pi, sp.Symbol("cot"), sp.Symbol("decay")
     end = (phase - psi)/omega
-    # p*(theta - alpha) + thetadot at the end: sinh and cosh are together the growing exponential
-    growing = p*(sinh + cosh)*sp.exp(p*end) + p*sine*sp.sin(phase) + omega*sine*sp.cos(phase)
-    condition = sp.expand(growing/sp.exp(p*end)).subs(sp.cos(psi), cot*sp.sin(psi))
-    cotangent = sp.expand(root_of(sp.factor(condition), cot))
+    # p*(theta - alpha) + thetadot at the end, times decay: sinh and cosh are together the growing exponential
+    growing = p*(sinh + cosh) + decay*(p*sine*sp.sin(phase) + omega*sine*sp.cos(phase))
+    condition = sp.factor(growing.subs(sp.cos(psi), cot*sp.sin(psi)))
+    cotangent = sp.expand(root_of(condition, cot)).subs(decay, sp.exp(-p*end))
     amplitude = g*alpha*sp.sqrt(1 + cotangent**2)
-    return derived(a, amplitude.subs(psi, sp.asin(g*alpha/a)), cite("19", "The pulse ends with half a sine. Take # and its rate at $t = (pi - psi)/omega$"),
+    return derived(a, amplitude, cite("19", "The pulse ends with half a sine. Take # and its rate at $t = (pi - psi)/omega$"),
                    step("The free motion that follows just reaches the balance if it has no growing part", theta.dot, p*(alpha - theta)),
                    step("This is linear in the cotangent", sp.cot(psi), cotangent),
-                   step("The amplitude is $g*alpha/sin(psi)$", a, amplitude))
+                   step("The amplitude is $g*alpha/sin(psi)$, and one over the square of the sine is one more than the square of the cotangent"),
+                   given={psi: sp.asin(g*alpha/a)})
