@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <derivations/language/lexer.hpp>
 #include <derivations/language/print.hpp>
 #include <derivations/language/syntax.hpp>
@@ -68,6 +69,14 @@ Derivation derivation_in(const Json& json, const Symbols& symbols) {
   return result;
 }
 
+/// Returns whether the paper declares all symbols. The tools of mechanics name constants of their own.
+bool are_declared(const GiNaC::ex& e, const Symbols& symbols) {
+  return std::all_of(e.preorder_begin(), e.preorder_end(), [&](const GiNaC::ex& part) {
+    return !GiNaC::is_a<GiNaC::symbol>(part) ||
+           symbols.find(GiNaC::ex_to<GiNaC::symbol>(part).get_name()) != nullptr;
+  });
+}
+
 Json json_of(const Step& step, const Symbols& symbols) {
   const auto text = [&](const GiNaC::ex& value) { return print(value, Notation::plain, symbols); };
   if (!step.cites.empty()) {
@@ -78,6 +87,9 @@ Json json_of(const Step& step, const Symbols& symbols) {
     return {{"says", says}, {"cites", step.cites}};
   }
   if (step.left.is_zero() && step.right.is_zero()) return {{"says", step.says}};
+  if (!are_declared(step.left, symbols) || !are_declared(step.right, symbols))
+    return {{"says", step.says + " " + print(step.left, Notation::unicode, symbols) + " " + step.relation +
+                         " " + print(step.right, Notation::unicode, symbols)}};
   return {{"says", step.says},
           {"left", text(step.left)},
           {"relation", step.relation},

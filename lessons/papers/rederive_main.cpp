@@ -87,6 +87,8 @@ int run_lesson_of(LatePaper& folder, int argc, char** argv) {
     if (number < 1 || number > lessons.size())
       return complain("there is no lesson " + std::string(argv[1]) + "; there are " +
                       page::counted(lessons.size(), "lesson"));
+    std::string name = std::string(argv[0]) + " " + argv[1];
+    argv[1] = name.data();
     return page::run_lesson(
         folder().paper(), lessons[number - 1], [&] { return folder().series(); }, argc - 1, argv + 1);
   } catch (const BadInput& error) {

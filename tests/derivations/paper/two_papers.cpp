@@ -1,12 +1,14 @@
 // Two papers in one process: the same letters with other units and ranges, each judged as when it is alone.
 #include <doctest/doctest.h>
 
+#include <derivations/paper/derivation_file.hpp>
 #include <derivations/paper/json.hpp>
 #include <derivations/paper/mutate.hpp>
 #include <derivations/paper/prove.hpp>
 #include <derivations/paper/steps.hpp>
 #include <derivations/rocking_block/paper.hpp>
 #include <nlohmann/json.hpp>
+#include <tests/run_program.hpp>
 
 using namespace rederive::language;
 using namespace rederive::numbers;
@@ -92,4 +94,18 @@ TEST_CASE("each paper has its own ranges, and no paper has the letters of anothe
   }
   CHECK(first.symbols.find("theta_0") == nullptr);
   CHECK_THROWS_AS(parse("thetadot_0", first.symbols), SyntaxError);
+}
+
+TEST_CASE("a step that names a constant of its own travels as words, and others as formulas") {
+  Symbols symbols;
+  const Symbol& x = symbols.declare({"x", "x", "x", "1", "(0, inf)", "a letter", "(1)"});
+  Derivations rows;
+  rows.add("1", [x] { return derived(x, 2, {{"with", GiNaC::symbol("C_1"), x}, {"and", x, 1 + x}}); });
+  const TemporaryFolder folder;
+  std::ofstream(folder.path / "derivations.json") << derivations_text(rows, symbols, "");
+  const Derivation read = read_derivations(folder.path / "derivations.json", symbols).at("1");
+  REQUIRE(read.steps.size() == 3);
+  CHECK(read.steps[0].says == "with C_1 = x");
+  CHECK(read.steps[0].left.is_zero());
+  CHECK(read.steps[1].left.is_equal(x));
 }
