@@ -22,7 +22,9 @@ namespace {
 
 Row row(const std::string& id, const std::string& printed, const std::string& domain = "") {
   Row result;
-  result.id = id, result.kind = "equation", result.printed = printed, result.domain = domain;
+  result.id = id;
+  result.printed = printed;
+  result.domain = domain;
   return result;
 }
 
