@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <derivations/decide/problem.hpp>
+#include <derivations/language/functions.hpp>
 #include <derivations/language/lower.hpp>
 #include <derivations/paper/corrections.hpp>
 #include <derivations/paper/edits.hpp>
@@ -37,6 +38,18 @@ bool has_part(const Tree& tree, const Tree& part) {
          std::ranges::any_of(tree->children, [&](const Tree& child) { return has_part(child, part); });
 }
 
+/// cos(a - b) for cos(b - a), where the symbol a is declared before b.
+Tree in_order(const Tree& call, const Symbols& symbols) {
+  if (call->kind != Node::Kind::call || function_named(call->text).parity != Function::Parity::even)
+    return call;
+  const Tree& sum = call->children[0];
+  if (sum->kind != Node::Kind::sum || sum->inverse != std::vector{false, true}) return call;
+  if (!is_symbol(sum->children[0]) || !is_symbol(sum->children[1])) return call;
+  if (symbols.rank(sum->children[0]->text) < symbols.rank(sum->children[1]->text)) return call;
+  return edits::with_child(
+      call, 0, make_tree(Node::Kind::sum, "", {sum->children[1], sum->children[0]}, {false, true}));
+}
+
 /// The tree with the functions that are not printed in their canonical form: cos(a - b) for cos((2*a -
 /// 2*b)/2).
 Tree with_expanded_arguments(const Tree& tree, const Relation& printed, const Symbols& symbols) {
@@ -44,7 +57,7 @@ Tree with_expanded_arguments(const Tree& tree, const Relation& printed, const Sy
     const auto has_call = [&](const Tree& side) { return has_part(side, call); };
     if (std::ranges::any_of(printed.sides, has_call)) return call;
     const Tree argument = to_tree(lower(call->children[0], symbols).expand(), symbols);
-    return to_tree(lower(edits::with_child(call, 0, argument), symbols), symbols);
+    return in_order(to_tree(lower(edits::with_child(call, 0, argument), symbols), symbols), symbols);
   });
 }
 

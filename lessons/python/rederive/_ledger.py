@@ -117,7 +117,8 @@ class Row:
 
     Formulas are text that `prove` reads, and a field that does not apply is None. The verdict is proved, proved_under,
     approximation, refuted, definition or undecided. `follows_from` and `rests_on_it` are ids of rows. `printed_latex` and
-    `derived_latex` are the formulas as LaTeX, which a notebook shows.
+    `derived_latex` are the formulas as LaTeX, which a notebook shows. `read_as` is how a row in LaTeX was read, `parts` has
+    the entries of a vector or matrix, and `stated` says that the derivation has no step of its own.
     """
 
     id: str
@@ -125,8 +126,11 @@ class Row:
     kind: str
     domain: str | None
     printed: str | None
+    read_as: str | None
     derived: str | None
+    parts: list[dict[str, Any]]
     verdict: str
+    stated: bool
     expected: str
     factor: str | None
     side_conditions: list[str]
