@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <derivations/numbers/interval.hpp>
 #include <derivations/paper/paper.hpp>
-#include <derivations/paper/printed.hpp>
 #include <derivations/program/data_folder.hpp>
 #include <derivations/program/program.hpp>
 #include <set>
@@ -122,12 +121,6 @@ std::filesystem::path equations_file(const Paper& paper) {
 
 const std::vector<Row>& rows_of(const Paper& paper) {
   return paper.rows([&] { return rows_in(paper, equations_file(paper)); });
-}
-
-std::vector<Row> rows_in(const Paper& paper, const std::filesystem::path& file) {
-  std::vector<Row> rows = read_rows(file);
-  for (Row& row : rows) read_printed(paper, row);
-  return rows;
 }
 
 std::string row_id(const std::string& derivation) { return derivation.substr(0, derivation.find('[')); }

@@ -474,4 +474,10 @@ void read_printed(const Paper& paper, Row& row) {
     }
 }
 
+std::vector<Row> rows_in(const Paper& paper, const std::filesystem::path& file) {
+  std::vector<Row> rows = read_rows(file);
+  for (Row& row : rows) read_printed(paper, row);
+  return rows;
+}
+
 }  // namespace rederive::paper
