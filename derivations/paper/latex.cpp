@@ -524,7 +524,7 @@ class LatexReader {
         refuse(fmt::format("{}^{{-1}} may be 1/{}(x) or its inverse: write \\frac or \\arc{}", latex, name,
                            name));
     }
-    const bool is_closed = is("(");
+    const bool is_closed = is("(") && symbol_at() == nullptr;  // a symbol may be written (a\times b)_z
     const std::string inside = is_closed ? closed_argument() : bare_argument(latex);
     if (is("^"))
       refuse(fmt::format("this may be a power of {} or of its argument: write {}^2(x), or {}(x^2)", latex,
