@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <derivations/decide/decide.hpp>
+#include <derivations/decide/points.hpp>
 #include <derivations/language/print.hpp>
 #include <derivations/numbers/evaluate.hpp>
 #include <derivations/paper/prove.hpp>
@@ -90,9 +91,41 @@ Finding check_relation(const Claim& claim, const Paper& paper) {
   return {verdict, {print(relation)}};
 }
 
+/// Throws BadInput, with the place of the claim, for a value in `at` that lies outside the range of its
+/// symbol or contradicts a range that compares symbols.
+void check_ranges(const Claim& claim, const Paper& paper) {
+  std::map<std::string, Tree> values;
+  for (const auto& [name, value] : claim.at)
+    values[name] = read_of(claim, value, [&] {
+      (void)paper.symbols[name];
+      return parse(value, paper.symbols);
+    });
+  const auto is_false = [&](Relation condition) {
+    for (const auto& [name, value] : values) condition = put_in(condition, name, value);
+    return names_of(condition).empty() && truth_at(condition, {}) == Truth::fails;
+  };
+  for (const auto& [name, value] : values) {
+    const std::string& declared = paper.symbols.find(name)->range;
+    const Range range = read_range(declared);
+    const auto fails = [&](const std::string& end, const std::string& sign) {
+      return !end.ends_with("inf") && is_false({{value, parse(end, paper.symbols)}, {sign}});
+    };
+    if (fails(range.lower, range.lower_closed ? ">=" : ">") ||
+        fails(range.upper, range.upper_closed ? "<=" : "<"))
+      throw BadInput(claim.place + ": claim " + claim.id + ": 'at' has " + name + " = " + claim.at.at(name) +
+                     ", outside the range " + declared);
+  }
+  for (const Relation& condition : paper.conditions)
+    if (is_false(condition))
+      throw BadInput(claim.place + ": claim " + claim.id + ": 'at' contradicts " + print(condition));
+}
+
 /// Returns a check of the claims of a paper.
 Check of_paper(Finding (*check)(const Claim&, const Paper&), const Paper& paper) {
-  return [check, paper](const Claim& claim) { return check(claim, paper); };
+  return [check, paper](const Claim& claim) {
+    check_ranges(claim, paper);
+    return check(claim, paper);
+  };
 }
 
 }  // namespace
