@@ -55,7 +55,7 @@ std::set<std::string> names_to_sample(const Prepared& prepared) {
 }
 
 /// Narrows the range of a symbol to what lies beyond a constant: theta > 0. Returns false if the relation
-/// says something else.
+/// says something else, or more than a range does, whose end at sqrt(2) is a rational number further out.
 bool narrow(Symbols& symbols, const Relation& relation) {
   for (const bool is_first : {true, false}) {
     const Tree &name = relation.sides[is_first ? 0 : 1], &end = relation.sides[is_first ? 1 : 0];
@@ -71,7 +71,7 @@ bool narrow(Symbols& symbols, const Relation& relation) {
                    given = parse_range(narrowed.find(name->text)->range);
     if (is_lower ? compare(given.low, old.low) > 0 : compare(given.high, old.high) < 0)
       symbols = std::move(narrowed);
-    return true;
+    return value_at(end, {}, 64).constant.has_value();
   }
   return false;
 }

@@ -261,8 +261,10 @@ std::optional<Witness> by_hand(const Prepared& prepared, const Relation& read) {
     if (!hold_at(assumed, point)) continue;
     ++tried;
     const bool solves = is_equation && pivot.empty();
-    const std::string& unknown = *std::next(names.rbegin(), attempt % static_cast<int>(names.size()));
-    if (solves && !solve_on_the_way(right, *prepared.symbols.find(unknown), point)) continue;
+    if (solves && !names.empty()) {
+      const std::string& unknown = *std::next(names.rbegin(), attempt % static_cast<int>(names.size()));
+      if (!solve_on_the_way(right, *prepared.symbols.find(unknown), point)) continue;
+    }
     const auto value = [&](const Relation& statement) {
       return solves ? digits_at(difference(statement.sides[0], statement.sides[1]), point, 6)
                     : digits_at(value_of(statement, pivot, point), point, 6);
