@@ -135,16 +135,20 @@ void Page::argue(const Derivation& with_ids, const std::string& id, const std::s
     if (first == 0) throw std::invalid_argument("(" + known + ") is not on the way to (" + id + ")");
     say("Begin with (" + known + ").");
   }
-  std::vector<Step> steps;
-  for (std::size_t i = first; i < derivation.steps.size(); ++i) {
+  const auto has_formula = [](const Step& step) { return !step.left.is_zero() || !step.right.is_zero(); };
+  const std::size_t count = derivation.steps.size();
+  std::vector<std::string> told(count + 1);  // from each step to the formula that it leads to
+  for (std::size_t i = count; i-- > first;) {
     const Step& step = derivation.steps[i];
-    if (told_.insert(step.says + text_of(step)).second || i + 1 == derivation.steps.size())
-      steps.push_back(step);
+    told[i] = step.says + text_of(step) + (has_formula(step) ? "" : told[i + 1]);
   }
+  std::vector<Step> steps;
+  for (std::size_t i = first; i < count; ++i)
+    if (told_.insert(told[i]).second || i + 1 == count) steps.push_back(derivation.steps[i]);
   std::string words;  // up to the next formula
   for (std::size_t i = 0; i < steps.size(); ++i) {
     const Step& step = steps[i];
-    const bool formula = !step.left.is_zero() || !step.right.is_zero(), last = i + 1 == steps.size();
+    const bool formula = has_formula(step), last = i + 1 == steps.size();
     const bool goes_on = !last && !begins_sentence(steps[i + 1].says);
     const bool fresh = i == 0 || begins_sentence(step.says);
     words += (words.empty() ? "" : " ") + as_sentence(marked(step.says, paper_), fresh, formula, goes_on);

@@ -190,3 +190,27 @@ TEST_CASE("special cases are put into derived and printed equations alike") {
   CHECK_THROWS_AS(page.derived("999"), std::out_of_range);
   CHECK_THROWS_AS(judged(page.paper(), "999"), std::out_of_range);
 }
+
+TEST_CASE("a step that is on the page already is left out only on the way to the same formula") {
+  using rederive::mechanics::Derivation;
+  const auto& symbols = rederive::rocking_block::paper().symbols;
+  const GiNaC::ex alpha = symbols["alpha"], g = symbols["g"];
+  const auto from = [&](const GiNaC::ex& result) {
+    Derivation derivation;
+    derivation.left = alpha;
+    derivation.right = result;
+    derivation.steps = {{"Resolve the forces", 0, 0}, {"Hence", alpha, result}};
+    return derivation;
+  };
+  Page page(rederive::rocking_block::paper());
+  std::vector<std::size_t> counts;
+  for (const GiNaC::ex& result : {g, GiNaC::ex(2 * g), g}) {
+    page.argue(from(result));
+    counts.push_back(page.blocks().size());
+  }
+  const auto words = [&](std::size_t at) { return std::get<Paragraph>(page.blocks().at(at)).text; };
+  REQUIRE(counts == std::vector<std::size_t>{2, 4, 6});
+  CHECK(words(0) == "Resolve the forces. Hence");
+  CHECK(words(2) == words(0));
+  CHECK(words(4) == "Hence");
+}
