@@ -105,9 +105,9 @@ int run_emit(const std::function<Emission()>& emission, int argc, char** argv) {
       "it also\nwrites the steppers that integrate the motion by its Taylor series."};
   app.footer(
       "Examples:\n"
-      "  $ emit --list\n"
-      "  $ emit --target python --function restitution\n"
-      "  $ emit --target cpp --out rocking_block.hpp\n\n");
+      "  $ PROGRAM --list\n"
+      "  $ PROGRAM --target python --function NAME\n"
+      "  $ PROGRAM --target cpp --out functions.hpp\n\n");
   Options options;
   app.add_flag("--list", options.list, "List the functions with their arguments and equations.");
   app.add_flag("--json", options.json, "With --list, write one JSON document.");

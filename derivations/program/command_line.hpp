@@ -52,21 +52,28 @@ inline void complain_of_arguments(const CLI::App& app, const std::string& name,
 
 /// Parses the arguments, runs `body` and returns its exit code. Returns 2, with a message on standard error,
 /// after a usage error or BadInput, or if a file or standard output fails; 3 after any other exception. The
-/// footer of `app` has examples; the meaning of the exit codes follows it in --help.
+/// footers of `app` and of its subcommands have examples, in which PROGRAM is the name of the program; the
+/// meaning of the exit codes follows them in --help.
 inline int run_command(CLI::App& app, int argc, char** argv, const std::function<int()>& body) {
   open_standard_streams();
   std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is an error that is told, not the end
   app.set_version_flag("--version", "Rederive " REDERIVE_VERSION, "Print the version and exit.");
-  const std::string help = "Print this help message and exit.";
-  app.get_help_ptr()->description(help);
-  for (CLI::App* part : app.get_subcommands([](CLI::App*) { return true; }))
-    part->get_help_ptr()->description(help);
+  const std::string name = printable_name(argc > 0 ? std::filesystem::path(argv[0]).filename() : "");
+  std::vector<CLI::App*> parts = app.get_subcommands([](CLI::App*) { return true; });
+  parts.push_back(&app);
+  for (CLI::App* part : parts) {
+    part->get_help_ptr()->description("Print this help message and exit.");
+    std::string footer = part->get_footer();
+    constexpr std::string_view place = "PROGRAM";
+    for (auto at = footer.find(place); at != footer.npos; at = footer.find(place, at + name.size()))
+      footer.replace(at, place.size(), name);
+    part->footer(footer);
+  }
   app.get_formatter()->column_width(34);
   app.footer(app.get_footer() +
              "Exit code: 0 if everything is as expected; 1 if a verdict or an answer is not as expected; 2 "
              "for bad usage,\nbad input, or output that cannot be written; 3 if something is undecided or "
              "fails internally.");
-  const std::string name = printable_name(argc > 0 ? std::filesystem::path(argv[0]).filename() : "");
   app.name(name);
   const auto complain = [&](const std::string& what, int code) {
     std::fprintf(stderr, "%s: %s\n", name.c_str(), printable(what).c_str());

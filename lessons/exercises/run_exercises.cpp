@@ -49,8 +49,8 @@ void declare_check(CLI::App& app, Typed& given) {
       ->excludes(file_option);
   check->footer(
       R"help(Examples:
-  $ exercises check barrier "m*g*R*(1 - sin(alpha))"
-  $ exercises check barrier --working working.txt
+  $ PROGRAM check ID "m*g*sin(alpha)"
+  $ PROGRAM check ID --working working.txt
 
 A working is a chain of lines. Each line must follow from the line before, and the last line is the
 answer. A line is an equation, a chain a = b = c, or an expression, alone or after an equals sign.
@@ -81,9 +81,9 @@ void declare_grade(CLI::App& app, GradeFlags& flags, Typed& given) {
        "files.");
   grade->footer(
       R"help(Examples:
-  $ exercises grade class
-  $ exercises grade class --gradebook marks.csv --deadline 2026-12-01T12:00
-  $ exercises grade class --report slips.html --feedback pages
+  $ PROGRAM grade class
+  $ PROGRAM grade class --gradebook marks.csv --deadline 2026-12-01T12:00
+  $ PROGRAM grade class --report slips.html --feedback pages
 
 A mark is weight x score. Each attempt after the first costs a tenth of it, down to a half. Attempts are
 known if a student handed in the progress file, exercises.txt, beside the answers. In the gradebook, an
@@ -178,9 +178,9 @@ int run_exercises(const std::function<const Course&()>& course, const std::strin
   declare(app, given);
   app.footer(
       "Examples:\n"
-      "  $ exercises show barrier\n"
-      "  $ exercises check barrier \"m*g*R*(1 - sin(alpha))\"\n"
-      "  $ exercises serve\n\n");
+      "  $ PROGRAM show ID\n"
+      "  $ PROGRAM check ID \"m*g*sin(alpha)\"\n"
+      "  $ PROGRAM serve\n\n");
   return run_command(app, argc, argv, [&] { return run(app, given, course()); });
 }
 

@@ -156,8 +156,9 @@ int selftest(const Classroom& room) {
                   {"complaints", complaints}});
   } else {
     for (const auto& complaint : complaints) say(complaint + "\n");
-    say(fmt::format("{}, {} variants, {} checks, {} complaints\n", counted(room.exercises.size(), "exercise"),
-                    variants, checks, complaints.size()));
+    say(fmt::format("{}, {}, {}, {}\n", counted(room.exercises.size(), "exercise"),
+                    counted(variants, "variant"), counted(checks, "check"),
+                    counted(complaints.size(), "complaint")));
   }
   return complaints.empty() ? as_expected : not_as_expected;
 }

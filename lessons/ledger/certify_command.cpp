@@ -109,10 +109,10 @@ int report(const std::vector<Lemma>& lemmas, const std::vector<Checked>& checked
 
 int certify(const Paper& paper, const std::vector<Entry>& entries, const CertifyOptions& options) {
   if (options.folder.empty() && !options.checks)
-    throw BadInput("certify needs a folder for the scripts, or --check; for example: ledger certify proofs");
+    throw BadInput("certify needs a folder for the scripts, or --check; for example: certify proofs");
   if (std::ranges::any_of(entries, [&](auto& e) { return e.row.id == options.folder; }))
     throw BadInput("'" + printable_name(options.folder) +
-                   "' is a row, but the folder comes first; for example: ledger certify proofs " +
+                   "' is a row, but the folder comes first; for example: certify proofs " +
                    printable_name(options.folder));
   const std::vector<Lemma> lemmas = lemmas_of(paper, entries, options.ids);
   if (!options.folder.empty()) write_all(paper, options.folder, entries, lemmas, options.ids.empty());

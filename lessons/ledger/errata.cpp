@@ -67,8 +67,10 @@ std::string typed(const Step& step, const std::string& formula, const Symbols& s
 std::vector<Passage> sheet(const std::vector<Entry>& wrong, const Paper& paper) {
   std::vector<Passage> passages;
   for (const Entry& entry : wrong) {
+    std::vector<std::string> headline{entry.row.section, in_words(entry.row.errors)};
+    std::erase(headline, "");
     Findings found{
-        .headline = entry.row.section + (entry.row.errors.empty() ? "" : ": " + in_words(entry.row.errors)),
+        .headline = headline.empty() ? "not as printed" : joined(headline, ": "),
         .lines = {{.label = "printed", .formula = parse_statement(entry.row.printed, paper.symbols)},
                   {.label = "corrected", .formula = parse_statement(entry.correction, paper.symbols)}},
         .kind = "ledger refuted",

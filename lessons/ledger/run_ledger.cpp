@@ -188,9 +188,9 @@ std::string symbol_name(const std::string& text, const Symbols& symbols) {
 }
 
 constexpr auto about_proving = R"help(Examples:
-  $ ledger prove "sin(3*x)" "3*sin(x) - 4*sin(x)^3"
-  $ ledger prove "sqrt(x^2)" "x" --assume "x > 0"
-  $ ledger prove "sin(x)" "x - x^3/6" --small x --order 3
+  $ PROGRAM prove "sin(3*x)" "3*sin(x) - 4*sin(x)^3"
+  $ PROGRAM prove "sqrt(x^2)" "x" --assume "x > 0"
+  $ PROGRAM prove "sin(x)" "x - x^3/6" --small x --order 3
 
 To ask whether an inequality holds wherever it has a value, compare it with 0 < 1.
 
@@ -316,7 +316,7 @@ int run(const Commands& asked, Options& options, const std::function<Paper()>& p
   if (*asked.mutate) return show_mutation(options);
   if (*asked.prove.command && *asked.prove.table) return show_table(options);
   if (*asked.prove.command && (!*asked.prove.left || !*asked.prove.right))
-    throw BadInput("prove needs two statements, for example: ledger prove \"sin(2*x)\" \"2*sin(x)*cos(x)\"");
+    throw BadInput("prove needs two statements, for example: prove \"sin(2*x)\" \"2*sin(x)*cos(x)\"");
   for (std::string* text : {&options.request.left, &options.request.right}) *text = trimmed(*text);
   for (std::string& name : options.request.small) name = symbol_name(name, options.paper.symbols);
   if (*asked.prove.certificate)
@@ -343,9 +343,9 @@ int run_ledger(const std::function<Paper()>& paper, int argc, char** argv,
   const Commands asked = add_commands(app, options);
   app.footer(
       "Examples:\n"
-      "  $ ledger show 17b\n"
-      "  $ ledger prove \"sin(2*x)\" \"2*sin(x)*cos(x)\"\n"
-      "  $ ledger errata --format markdown\n\n");
+      "  $ PROGRAM show 1\n"
+      "  $ PROGRAM prove \"sin(2*x)\" \"2*sin(x)*cos(x)\"\n"
+      "  $ PROGRAM errata --format markdown\n\n");
   return run_command(app, argc, argv, [&] { return run(asked, options, paper, claims); });
 }
 

@@ -104,11 +104,69 @@ TEST_CASE("the files of a paper are refused with file, line and field") {
                 {"lesson", "1"});
   check_refused("lesson-01.md", "$m*L^2$", "$m*Q^2$", {"lesson-01.md:12:", "Q"}, {"lesson", "1"});
   check_refused("claims.toml", "L = \"1\", ", "", {"claims.toml:", "claim c1", "at"}, {"claims"});
+  check_refused("claims.toml", "L = \"1\", ", "L = \"0\", ",
+                {"claims.toml:1: claim c1", "L = 0", "outside the range (0, inf)"}, {"claims"});
   for (const char* name : {"no-such-folder", "/dev/null"}) CHECK(run({name}).exit_code == 2);
   const TemporaryFolder empty;
   const Result none = run({empty.path});
   CHECK(none.exit_code == 2);
   CHECK(contains(none.err, "paper.toml"));
+}
+
+TEST_CASE("exercises may ask for a number without symbols, and give bounds that are roots") {
+  const Rod rod;
+  write_file(rod.path / "exercises.toml", R"([[exercise]]
+id = "plain"
+lesson = 1
+title = "A plain number"
+kind = "expression"
+statement = "How large is $J$ for $m = 3$ and $L = sqrt(2)$?"
+symbols = []
+name = "J"
+example = "1/7"
+answer = { derivation = "1", put = { m = "3", L = "sqrt(2)"
+}
+}
+hints = ["Look at the hinge.", "Look at the rod.", "Look at both."]
+)");
+  const std::vector<std::string> check{"exercises", "--progress", rod.folder.path / "progress.txt", "check",
+                                       "plain",     "--"};
+for (const auto& [answer, code] : {std::pair("2", 0), {"0", 1}, {"-sqrt(2)", 1}}) {
+  std::vector<std::string> command = check;
+  command.push_back(answer);
+  const Result judged = rod.run(command);
+  CHECK_MESSAGE(judged.exit_code == code, answer, ": ", judged.out, judged.err);
+}
+for (const std::string bound : {"1/sqrt(2)", "sqrt(2)/2", "sqrt(1/2)"}) {
+  write_file(rod.path / "exercises.toml", R"([[exercise]]
+id = "small"
+lesson = 1
+title = "Not too far"
+kind = "expression"
+statement = "What is $thetaddot$ for $theta < )" +
+                                              bound + R"($?"
+symbols = ["g", "L", "theta"]
+given = ["theta < )" + bound + R"("]
+name = "thetaddot"
+example = "g/L"
+answer = { derivation = "2" }
+hints = ["Look at the hinge.", "Look at the rod.", "Look at both."]
+)");
+  const Result tested = rod.run({"exercises", "selftest"});
+  CHECK_MESSAGE(tested.exit_code == 0, bound, ": ", tested.out, tested.err);
+  CHECK_MESSAGE(contains(tested.out, "1 exercise, 0 variants"), tested.out);
+}
+}
+
+TEST_CASE("help and errata speak of the paper in the folder") {
+  const Rod rod;
+  CHECK(contains(rod.run({"emit", "--help"}).out, "$ rederive rod emit --list"));
+  CHECK(contains(rod.run({"exercises", "check", "--help"}).out, "$ rederive rod exercises check ID"));
+  CHECK(contains(rod.run({"prove", "--help"}).out, "$ rederive rod prove"));
+  rod.change("equations.toml", "section = \"Small swings\"\n", "");
+  CHECK(contains(rod.run({"errata"}).out, "factor\n"));
+  rod.change("equations.toml", "error = \"factor\"\n", "");
+  CHECK(contains(rod.run({"errata"}).out, "not as printed\n"));
 }
 
 TEST_CASE("derivations that are older than their source are not used") {
