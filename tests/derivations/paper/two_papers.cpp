@@ -74,7 +74,7 @@ TEST_CASE("two papers are judged in turn, each as when it is alone") {
     }
   CHECK(judged(first, "1").proof.verdict == Verdict::proved);
   CHECK(judged(second, "1").proof.verdict == Verdict::refuted);
-  CHECK(judged(second, "1").correction == "size = sqrt(alpha^2)");
+  CHECK(judged(second, "1").correction == "size = -alpha");
   CHECK(judged(first, "2").proof.verdict == Verdict::proved);
   CHECK(judged(second, "2").proof.verdict == Verdict::proved);
   CHECK(judged(second, "2").derivation->steps[0].says == "Beside (1)");
