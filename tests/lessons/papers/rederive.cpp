@@ -115,47 +115,29 @@ TEST_CASE("the files of a paper are refused with file, line and field") {
 
 TEST_CASE("exercises may ask for a number without symbols, and give bounds that are roots") {
   const Rod rod;
-  write_file(rod.path / "exercises.toml", R"([[exercise]]
-id = "plain"
-lesson = 1
-title = "A plain number"
-kind = "expression"
-statement = "How large is $J$ for $m = 3$ and $L = sqrt(2)$?"
-symbols = []
-name = "J"
-example = "1/7"
-answer = { derivation = "1", put = { m = "3", L = "sqrt(2)"
-}
-}
-hints = ["Look at the hinge.", "Look at the rod.", "Look at both."]
-)");
-  const std::vector<std::string> check{"exercises", "--progress", rod.folder.path / "progress.txt", "check",
-                                       "plain",     "--"};
-for (const auto& [answer, code] : {std::pair("2", 0), {"0", 1}, {"-sqrt(2)", 1}}) {
-  std::vector<std::string> command = check;
-  command.push_back(answer);
-  const Result judged = rod.run(command);
-  CHECK_MESSAGE(judged.exit_code == code, answer, ": ", judged.out, judged.err);
-}
-for (const std::string bound : {"1/sqrt(2)", "sqrt(2)/2", "sqrt(1/2)"}) {
-  write_file(rod.path / "exercises.toml", R"([[exercise]]
-id = "small"
-lesson = 1
-title = "Not too far"
-kind = "expression"
-statement = "What is $thetaddot$ for $theta < )" +
-                                              bound + R"($?"
-symbols = ["g", "L", "theta"]
-given = ["theta < )" + bound + R"("]
-name = "thetaddot"
-example = "g/L"
-answer = { derivation = "2" }
-hints = ["Look at the hinge.", "Look at the rod.", "Look at both."]
-)");
-  const Result tested = rod.run({"exercises", "selftest"});
-  CHECK_MESSAGE(tested.exit_code == 0, bound, ": ", tested.out, tested.err);
-  CHECK_MESSAGE(contains(tested.out, "1 exercise, 0 variants"), tested.out);
-}
+  const auto write = [&](const std::string& more) {
+    write_file(
+        rod.path / "exercises.toml",
+        "[[exercise]]\nid = \"one\"\nlesson = 1\ntitle = \"One\"\nkind = \"expression\"\nexample = \"1/7\"\n"
+        "hints = [\"Look at the hinge.\", \"Look at the rod.\", \"Look at both.\"]\n" +
+            more);
+  };
+  write(
+      "statement = \"How large is $J$ for $m = 3$ and $L = sqrt(2)$?\"\nsymbols = []\nname = \"J\"\n"
+      "answer = { derivation = \"1\", put = { m = \"3\", L = \"sqrt(2)\" } }\n");
+  for (const auto& [answer, code] : {std::pair("2", 0), {"0", 1}, {"-sqrt(2)", 1}}) {
+    const Result judged =
+        rod.run({"exercises", "--progress", rod.folder.path / "progress.txt", "check", "one", "--", answer});
+    CHECK_MESSAGE(judged.exit_code == code, answer, ": ", judged.out, judged.err);
+  }
+  for (const std::string bound : {"1/sqrt(2)", "sqrt(2)/2", "sqrt(1/2)"}) {
+    write(
+        "statement = \"What is $thetaddot$ for $theta < " + bound + "$?\"\ngiven = [\"theta < " + bound +
+        "\"]\nsymbols = [\"g\", \"L\", \"theta\"]\nname = \"thetaddot\"\nanswer = { derivation = \"2\" }\n");
+    const Result tested = rod.run({"exercises", "selftest"});
+    CHECK_MESSAGE(tested.exit_code == 0, bound, ": ", tested.out, tested.err);
+    CHECK_MESSAGE(contains(tested.out, "1 exercise, 0 variants"), tested.out);
+  }
 }
 
 TEST_CASE("help and errata speak of the paper in the folder") {
