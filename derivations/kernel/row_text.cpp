@@ -40,7 +40,7 @@ Tree with_quotient(const Tree& product, const Tree& above, const Tree& below, co
       if (!first || !second) continue;
       factors[*first] = power_of(name, exponent);
       factors[*second] = make_tree(Node::Kind::number, "1"), inverse[*second] = false;
-      if (factors.size() > 2 || !is_inverse) {  // a 1 must stay only before a divisor
+      if (*second != 0 || !inverse[1]) {  // a 1 stays before a divisor
         factors.erase(factors.begin() + static_cast<std::ptrdiff_t>(*second));
         inverse.erase(inverse.begin() + static_cast<std::ptrdiff_t>(*second));
       }

@@ -165,7 +165,8 @@ Rates rates_in(const Symbols& symbols) {
 
 ex total_derivative(const ex& f, const Symbols& symbols) {
   const Rates rates = rates_in(symbols);
-  for (const auto& [quantity, rate] : rates) {
+  for (const auto& [quantity, its_rate] : rates) {
+    const ex rate = its_rate;  // Clang 14 captures no structured binding
     const auto has_own_rate = [&](const auto& pair) { return pair.first.is_equal(rate); };
     if (is_a<GiNaC::symbol>(rate) && f.has(rate) && std::ranges::none_of(rates, has_own_rate))
       throw std::invalid_argument(fmt::format("d/dt needs the rate of {}, which is not declared",

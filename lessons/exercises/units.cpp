@@ -17,7 +17,6 @@ using namespace numbers;
 using namespace decide;
 using namespace mechanics;
 using namespace paper;
-using namespace page;
 namespace {
 
 /// A unit: its name, its dimension in base units, and its size in those.

@@ -95,20 +95,21 @@ Finding check_relation(const Claim& claim, const Paper& paper) {
 /// symbol or contradicts a range that compares symbols.
 void check_ranges(const Claim& claim, const Paper& paper) {
   std::map<std::string, Tree> values;
-  for (const auto& [name, value] : claim.at)
-    values[name] = read_of(claim, value, [&] {
-      (void)paper.symbols[name];
-      return parse(value, paper.symbols);
+  for (const auto& pair : claim.at)  // Clang 14 captures no structured binding
+    values[pair.first] = read_of(claim, pair.second, [&] {
+      (void)paper.symbols[pair.first];
+      return parse(pair.second, paper.symbols);
     });
   const auto is_false = [&](Relation condition) {
     for (const auto& [name, value] : values) condition = put_in(condition, name, value);
     return names_of(condition).empty() && truth_at(condition, {}) == Truth::fails;
   };
-  for (const auto& [name, value] : values) {
+  for (const auto& pair : values) {
+    const auto& [name, value] = pair;
     const std::string& declared = paper.symbols.find(name)->range;
     const Range range = read_range(declared);
     const auto fails = [&](const std::string& end, const std::string& sign) {
-      return !end.ends_with("inf") && is_false({{value, parse(end, paper.symbols)}, {sign}});
+      return !end.ends_with("inf") && is_false({{pair.second, parse(end, paper.symbols)}, {sign}});
     };
     if (fails(range.lower, range.lower_closed ? ">=" : ">") ||
         fails(range.upper, range.upper_closed ? "<=" : "<"))

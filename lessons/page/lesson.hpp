@@ -50,8 +50,8 @@ class Page {
   /// Adds the derived form of an equation of the paper, with its number.
   void result(const std::string& id);
   /// Adds every step of a derivation, as it is computed, and the result, as one text with formulas. Steps
-  /// that are on this page already, on the way to the same formula, are left out, and so are those that lead to `known`, a result on the way.
-  /// Throws std::invalid_argument if `known` is not on the way.
+  /// that are on this page already, on the way to the same formula, are left out, and so are those that lead
+  /// to `known`, a result on the way. Throws std::invalid_argument if `known` is not on the way.
   void argue(const std::string& id, const std::string& known = "");
   void argue(const mechanics::Derivation& derivation, const std::string& number = "",
              const std::string& known = "");

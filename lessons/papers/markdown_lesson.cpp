@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <derivations/language/lower.hpp>
 #include <derivations/language/syntax.hpp>
 #include <derivations/language/text.hpp>
@@ -78,6 +79,8 @@ class Reader {
     } else if (line().starts_with("## ")) {
       lesson_.lesson.steps.push_back({trimmed(line().substr(3)), write_all()});
       ++at_;
+    } else if (line().starts_with("#")) {
+      fail(begin, "a heading of a step begins with ## and a blank; there are no others");
     } else if (line().starts_with("{{")) {
       add(begin, directive(trimmed(line()), begin));
       ++at_;
@@ -210,10 +213,14 @@ class Reader {
     const std::string figure = fmt::format("lesson-{:02}-{}-{}", lesson_.lesson.number, name, line);
     const EmittedFunction chosen = *function;
     return [chosen, series, is_plot, figure](Page& page) {
-      const auto value = [&](double x) {
+      const auto value = [&](double x) -> double {
         Values values = series.others;
         values[series.name] = fmt::format("{}", x);
-        return page.number_of(chosen.value, values);
+        try {
+          return page.number_of(chosen.value, values);
+        } catch (const std::exception&) {  // a pole, or no real value: a gap
+          return std::nan("");
+        }
       };
       const auto points = illustrations::sampled(series.first, series.last, series.count, value);
       const Symbol& symbol = *page.paper().symbols.find(series.name);

@@ -67,10 +67,9 @@ void derive_in_python(const fs::path& folder) {
   const std::string path = fs::absolute(folder).string();
   const int status = run({"python3", "-m", "rederive.derive", path});
   if (status == 0 && has_current_derivations(folder)) return;
-  throw BadInput("derive.py of '" + printable_name(folder) +
-                 (status == 0 ? "' wrote no current derivations.json"
-                              : "' failed; it needs Python 3 with the modules sympy and rederive (Debian: "
-                                "python3-sympy, python3-rederive)"));
+  throw BadInput(
+      "derive.py of '" + printable_name(folder) +
+      (status == 0 ? "' wrote no current derivations.json" : "' failed; what is wrong is said above"));
 }
 
 /// Returns the folder with the files by which CMake finds this program's libraries.

@@ -102,6 +102,7 @@ TEST_CASE("the files of a paper are refused with file, line and field") {
   check_refused("lesson-01.md", "{{argue 1}}", "{{argue 8}}", {"lesson-01.md:10:", "'8'"}, {"lesson", "1"});
   check_refused("lesson-01.md", "{{argue 1}}", "{{arge 1}}", {"lesson-01.md:10:", "did you mean 'argue'"},
                 {"lesson", "1"});
+  check_refused("lesson-01.md", "{{argue 1}}", "### More", {"lesson-01.md:10:", "##"}, {"lesson", "1"});
   check_refused("lesson-01.md", "$m*L^2$", "$m*Q^2$", {"lesson-01.md:12:", "Q"}, {"lesson", "1"});
   check_refused("claims.toml", "L = \"1\", ", "", {"claims.toml:", "claim c1", "at"}, {"claims"});
   check_refused("claims.toml", "L = \"1\", ", "L = \"0\", ",
