@@ -26,8 +26,11 @@ configure_file(.setup/RederiveConfig.cmake.in RederiveConfig.cmake @ONLY)
 # The same for the build folder, for tests/fuzz.
 export(EXPORT RederiveTargets NAMESPACE rederive:: FILE RederiveTargets.cmake)
 # Projects include <rederive/…> from the build folder, too.
-file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/include)
-file(CREATE_LINK ${PROJECT_SOURCE_DIR} ${PROJECT_BINARY_DIR}/include/rederive SYMBOLIC)
+file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/include/rederive)
+foreach(folder derivations numerics lessons)  # each by itself: a link to the whole tree would lead back here
+  file(CREATE_LINK ${PROJECT_SOURCE_DIR}/${folder} ${PROJECT_BINARY_DIR}/include/rederive/${folder} SYMBOLIC)
+endforeach()
+file(CREATE_LINK ${PROJECT_BINARY_DIR}/emitted ${PROJECT_BINARY_DIR}/include/rederive/emitted SYMBOLIC)
 configure_file(.setup/RederiveDependencies.cmake RederiveDependencies.cmake COPYONLY)
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/RederiveConfigVersion.cmake COMPATIBILITY SameMajorVersion)
 install(FILES .setup/RederiveDependencies.cmake ${PROJECT_BINARY_DIR}/RederiveConfig.cmake
