@@ -136,7 +136,7 @@ void say_arguments(const Tree& tree, const std::map<std::string, Tree>& at, std:
   const auto say = [&](const std::string& kind, const std::string& from, const std::string& to,
                        const std::string& by) {
     const std::string line = "  " + kind + " (" + from + ") (" + to + ")" + by + ".\n";
-    if (from != to && steps.find(line) == std::string::npos) steps += line;
+    if (steps.find(line) == std::string::npos) steps += line;
   };
   const std::string text = coq_text(argument), size = coq_text(tree_of({cln::abs(*number)}));
   if (tree->text == "sqrt") {
@@ -144,8 +144,9 @@ void say_arguments(const Tree& tree, const std::map<std::string, Tree>& at, std:
     if (coq_text(root) != "sqrt(" + text + ")") say("root", text, coq_text(root), " by square_of_numbers");
     return;
   }
+  const std::string value = cln::minusp(*number) ? "- (" + size + ")" : size;
   const bool is_circular = function_named(tree->text).kind == Function::Kind::circular;
-  say(is_circular ? "angle" : "exponent", text, cln::minusp(*number) ? "- (" + size + ")" : size, "");
+  if (value != text) say(is_circular ? "angle" : "exponent", text, value, "");
 }
 
 }  // namespace

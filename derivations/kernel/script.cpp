@@ -39,6 +39,11 @@ Polynomial in_sines(const Ring& ring, const Polynomial& p) {
   return result;
 }
 
+bool has_root(const Tree& tree) {
+  return (tree->kind == Node::Kind::call && tree->text == "sqrt") ||
+         std::ranges::any_of(tree->children, has_root);
+}
+
 /// Returns the polynomial without its factors that are symbols, sines or exponentials.
 Polynomial without_monomials(const Polynomial& p) {
   Polynomial result = p;
@@ -90,14 +95,25 @@ void Script::say_arguments(const Tree& tree) {
   const Function& f = function_named(tree->text);
   if (f.name == "sqrt") roots_.push_back(tree);
   if (f.kind == Function::Kind::inverse && f.has_coq) inverse_.insert(coq_text(tree));
+  if (f.name == "sqrt" && has_root(tree->children[0]))
+    throw Undecidable("there is no script for roots of roots");
   const bool is_circular = f.kind == Function::Kind::circular;
   if (is_circular || f.kind == Function::Kind::exponential) say_argument(tree->children[0], is_circular);
+}
+
+/// Returns whether a tree has a root that the ring writes as a product of several roots: sqrt(1 - x^2).
+bool Script::has_root_of_product(const Tree& tree) {
+  const bool is_root = tree->kind == Node::Kind::call && tree->text == "sqrt";
+  if (is_root && value(tree).numerator.used().size() > 1) return true;
+  return std::ranges::any_of(tree->children, [&](const Tree& child) { return has_root_of_product(child); });
 }
 
 void Script::say_argument(const Tree& argument, bool is_circular) {
   for (const std::string& call : inverse_)
     if (coq_text(argument).find(call) != std::string::npos)
       throw Undecidable("there is no script for functions of inverse functions");
+  if (has_root_of_product(argument))
+    throw Undecidable("there is no script for functions of roots of products");
   has_arguments_ = true;
   std::string sum;
   const auto add = [&](const std::string& term) { sum += (sum.empty() ? "" : " + ") + term; };

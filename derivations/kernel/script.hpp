@@ -34,6 +34,7 @@ class Script {
   const language::Symbol& declare(const std::string& name);
   std::string name_of(const identity::Fraction& phase);
   std::string base_of(const identity::Generator& root, int index);
+  bool has_root_of_product(const language::Tree& tree);
   void say_arguments(const language::Tree& tree);
   void say_argument(const language::Tree& argument, bool is_circular);
   void say_facts();
