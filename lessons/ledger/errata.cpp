@@ -69,12 +69,12 @@ std::vector<Passage> sheet(const std::vector<Entry>& wrong, const Paper& paper) 
   for (const Entry& entry : wrong) {
     std::vector<std::string> headline{entry.row.section, in_words(entry.row.errors)};
     std::erase(headline, "");
-    Findings found{
-        .headline = headline.empty() ? "not as printed" : joined(headline, ": "),
-        .lines = {{.label = "printed", .formula = parse_statement(entry.row.printed, paper.symbols)},
-                  {.label = "corrected", .formula = parse_statement(entry.correction, paper.symbols)}},
-        .kind = "ledger refuted",
-        .row = entry.row.id};
+    Findings found{.headline = headline.empty() ? "not as printed" : joined(headline, ": "),
+                   .lines = printed_remarks(entry.row, paper.symbols),
+                   .kind = "ledger refuted",
+                   .row = entry.row.id};
+    found.lines.push_back(
+        {.label = "corrected", .formula = parse_statement(entry.correction, paper.symbols)});
     const auto add = [&](const std::string& label, const std::string& words) {
       if (!words.empty()) found.lines.push_back({.label = label, .words = words});
     };

@@ -66,6 +66,14 @@ std::string headline(const Entry& entry) {
   return text;
 }
 
+std::vector<Remark> printed_remarks(const Row& row, const Symbols& symbols) {
+  if (row.printed.empty()) return {};
+  const Relation relation = parse_statement(row.printed, symbols);
+  if (row.typed.empty()) return {{.label = "printed", .formula = relation}};
+  return {{.label = "printed", .words = "`" + literal(row.typed) + "`"},
+          {.label = "worked out", .formula = relation}};
+}
+
 Findings findings(const Entry& entry, const Paper& paper) {
   Findings result{.headline = "The ledger on " + headline(entry),
                   .lines = {},
@@ -82,7 +90,7 @@ Findings findings(const Entry& entry, const Paper& paper) {
     words("why", literal(entry.row.fault));
     return result;
   }
-  formula("printed", entry.row.printed);
+  result.lines = printed_remarks(entry.row, paper.symbols);
   formula("correct", entry.correction);
   const std::string& factor = entry.proof.factor;
   if (!factor.empty() && factor != "1") formula("up to the factor", factor);

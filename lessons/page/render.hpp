@@ -88,6 +88,9 @@ bool is_module_there();
 
 /// Returns "(17b): refuted (argument)".
 std::string headline(const paper::Entry& entry);
+/// Returns what a row prints, as the file says it, and under another label how it was worked out, if that
+/// differs: a derivative, an integral, a sum, a matrix.
+std::vector<Remark> printed_remarks(const paper::Row& row, const language::Symbols& symbols);
 /// Returns what the ledger found: printed, correct, factor, conditions, witness, dimension, notes.
 Findings findings(const paper::Entry& entry, const paper::Paper& paper);
 

@@ -82,6 +82,10 @@ TEST_CASE("the ledger of a folder is that of any paper") {
   CHECK(contains(rod.run({"claims"}).out, "confirmed"));
   CHECK(rod.run({"prove", "sqrt(L^2)", "L"}).exit_code == 0);  // L is positive in this paper
   CHECK(contains(rod.run({"graph"}).out, "digraph"));
+  rod.change("equations.toml", "printed = \"J = m*L^2/3\"", "printed = \"J = ∫_0^L m/L*x^3 dx\"");
+  const std::string errata = rod.run({"errata"}).out;  // quotes what the file says
+  CHECK_MESSAGE(contains(errata, "printed: J = ∫_0^L m/L*x^3 dx"), errata);
+  CHECK_MESSAGE(contains(errata, "worked out: J = "), errata);
   rod.change("claims.toml", "\"1.64\"", "\"1.65\"");
   CHECK(rod.run({"claims"}).exit_code == 1);
   CHECK(rod.run({"test"}).exit_code == 1);
