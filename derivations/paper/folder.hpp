@@ -37,7 +37,7 @@ std::filesystem::path source_of_derivations(const std::filesystem::path& folder)
 std::string digest_of(const std::filesystem::path& folder);
 
 /// Returns whether derivations.json was made from the present paper.toml and the present source of the
-/// derivations. It is, too, if there is no source.
+/// derivations. Without a source, returns true.
 bool has_current_derivations(const std::filesystem::path& folder);
 
 }  // namespace rederive::paper

@@ -20,7 +20,7 @@ void refresh_derivations(const std::filesystem::path& folder, Stale stale);
 /// Compiles derive.cpp and runs it. Throws BadInput, with the messages of the compiler, if that fails.
 void build_derivations(const std::filesystem::path& folder);
 
-/// A paper's folder, read. The references that it returns are valid as long as it is.
+/// A paper's folder, read. The references that it returns are valid during its lifetime.
 class PaperFolder {
  public:
   /// Reads the paper. Throws BadInput as read_paper and refresh_derivations do.

@@ -148,7 +148,7 @@ class Integrator {
     gsl_odeiv2_step_free(step_);
   }
 
-  /// Returns the motion at `points` + 1 equal distances of time.
+  /// Returns the motion at `points` + 1 equally spaced times.
   Motion motion(double until, int points) {
     Motion motion;
     State state = problem_.start;

@@ -15,7 +15,7 @@ def root_of(linear, unknown):
 
 
 def course_of(acceleration, start, rate, forced=sp.S.Zero):
-    """Returns theta(t) with theta(0) = start and thetadot(0) = rate, and what stands before sinh, cosh and `forced` in it.
+    """Returns theta(t) with theta(0) = start and thetadot(0) = rate, and its coefficients of sinh, cosh and `forced`.
 
     `acceleration` is p^2*theta, a constant, and a multiple of `forced`, a sine of the time.
     """
@@ -205,7 +205,7 @@ def sine_pulse():
 
 
 def sine_motion():
-    """Returns the motion of row 19, and what stands before sinh, cosh and the sine in it."""
+    """Returns the motion of row 19, and its coefficients of sinh, cosh and the sine."""
     course, constants = course_of(sine_pulse().right, 0, 0, sp.sin(omega*t + psi))
     return [sp.expand(course).collect([sp.sinh(p*t), sp.cosh(p*t), sp.sin(omega*t + psi)], sp.factor).subs(a, g*alpha/sp.sin(psi)),
             *(sp.factor(one.subs(a, g*alpha/sp.sin(psi))) for one in constants)]
