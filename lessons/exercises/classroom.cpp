@@ -41,8 +41,18 @@ int tell(const Classroom& room, const Exercise& exercise, const Opinion& opinion
 }
 
 void enter(Progress& progress, const Exercise& exercise, const Opinion& opinion, const std::string& answer) {
-  if (opinion.outcome == Outcome::invalid || opinion.outcome == Outcome::undecided) return;
+  if (answer.empty()) return;
   Record& record = progress.records[exercise.id];
+  if (needs_teacher(opinion)) {
+    record.last = answer;
+    if (record.answer.empty()) record.seed = exercise.seed;
+    return;
+  }
+  record.last.clear();
+  if (opinion.outcome == Outcome::correct)
+    record.right.clear();
+  else if (record.status == Status::solved && record.right.empty())
+    record.right = record.answer;
   if (record.status != Status::solved) ++record.attempts;
   record.hinted = record.hinted && record.answer == answer;
   record.answer = answer;

@@ -18,43 +18,6 @@ namespace {
 
 using Cells = std::vector<std::string>;
 
-/// Returns the lines of a CSV file below its header, with their numbers; cells may be in quotes. Throws
-/// BadInput.
-std::vector<std::pair<int, Cells>> read_table(const std::string& file, const std::string& header) {
-  std::string text = read_whole(file);
-  if (text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);
-  std::vector<std::pair<int, Cells>> lines{{1, Cells(1)}};
-  int number = 1;
-  bool inside = false;  // of quotes
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    std::string& cell = lines.back().second.back();
-    number += text[i] == '\n';
-    if (text[i] == '"' && inside && text.substr(i + 1, 1) == "\"")
-      cell += text[i++];
-    else if (text[i] == '"')
-      inside = !inside;
-    else if (text[i] == ',' && !inside)
-      lines.back().second.emplace_back();
-    else if (text[i] == '\n' && !inside)
-      lines.emplace_back(number, Cells(1));
-    else if (text[i] != '\r')
-      cell += text[i];
-  }
-  const auto fail = [&](int line, const std::string& what) -> void {
-    throw BadInput(fmt::format("{}, line {}: {}", printable_name(file), line, what));
-  };
-  if (inside) fail(lines.back().first, "a quote is not closed");
-  if (fmt::format("{}", fmt::join(lines[0].second, ",")) != header)
-    fail(1, "the first line must be " + header);
-  const std::size_t wanted = lines[0].second.size();
-  lines.erase(lines.begin());
-  std::erase_if(lines, [](const auto& line) { return line.second == Cells(1); });
-  for (const auto& [line, cells] : lines)
-    if (cells.size() != wanted)
-      fail(line, fmt::format("a line must have {} cells ({}), but it has {}", wanted, header, cells.size()));
-  return lines;
-}
-
 /// Returns the seconds since 1970 of "2026-12-01T12:00", in UTC unless an offset follows; of a day, those of
 /// its end.
 std::optional<std::int64_t> read_time(const std::string& text) {
@@ -105,13 +68,47 @@ void read_values(const Classroom& room, const std::string& file, const std::stri
     }
 }
 
-/// Returns a name without the apostrophe with which csv_cell guards what looks like a formula.
+}  // namespace
+
+std::vector<std::pair<int, Cells>> read_table(const std::string& file, const std::string& header) {
+  std::string text = read_whole(file);
+  if (text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);
+  std::vector<std::pair<int, Cells>> lines{{1, Cells(1)}};
+  int number = 1;
+  bool inside = false;  // of quotes
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    std::string& cell = lines.back().second.back();
+    number += text[i] == '\n';
+    if (text[i] == '"' && inside && text.substr(i + 1, 1) == "\"")
+      cell += text[i++];
+    else if (text[i] == '"')
+      inside = !inside;
+    else if (text[i] == ',' && !inside)
+      lines.back().second.emplace_back();
+    else if (text[i] == '\n' && !inside)
+      lines.emplace_back(number, Cells(1));
+    else if (text[i] != '\r')
+      cell += text[i];
+  }
+  const auto fail = [&](int line, const std::string& what) -> void {
+    throw BadInput(fmt::format("{}, line {}: {}", printable_name(file), line, what));
+  };
+  if (inside) fail(lines.back().first, "a quote is not closed");
+  if (fmt::format("{}", fmt::join(lines[0].second, ",")) != header)
+    fail(1, "the first line must be " + header);
+  const std::size_t wanted = lines[0].second.size();
+  lines.erase(lines.begin());
+  std::erase_if(lines, [](const auto& line) { return line.second == Cells(1); });
+  for (const auto& [line, cells] : lines)
+    if (cells.size() != wanted)
+      fail(line, fmt::format("a line must have {} cells ({}), but it has {}", wanted, header, cells.size()));
+  return lines;
+}
+
 std::string unguarded(const std::string& cell) {
   const bool is_guarded = cell.starts_with("'") && csv_cell(cell.substr(1)) != cell.substr(1);
   return is_guarded ? cell.substr(1) : cell;
 }
-
-}  // namespace
 
 Rules read_rules(const Classroom& room, const std::string& weights, const std::string& deadline,
                  const std::string& handed_in) {
@@ -156,41 +153,74 @@ Mark mark_of(const Rules& rules, const Student& student, const Row& row) {
   const auto deadline = rules.deadlines.find(row.exercise);
   mark.is_late = deadline != rules.deadlines.end() && time > deadline->second;
   const auto weight = rules.weights.find(row.exercise);
-  if (!mark.is_late && weight != rules.weights.end())
+  if (!mark.is_late && weight != rules.weights.end() && !row.is_to_decide())
     mark.marks = weight->second * row.opinion.score * std::max(0.5, 1 - 0.1 * (mark.attempts - 1.0));
   return mark;
 }
 
-std::string mark_text(double marks) { return fmt::format("{}", std::round(marks * 1000) / 1000); }
+double rounded(double marks) { return std::round(marks * 1000) / 1000; }
 
-std::string gradebook(const Classroom& room, const std::vector<Student>& students, const Rules& rules) {
-  std::string text = "student";
+std::string mark_text(double marks) { return fmt::format("{}", rounded(marks)); }
+
+std::string as_csv(const Sheet& sheet) {
+  const auto line = [](const auto& cells, const auto& text_of) {
+    std::string text;
+    for (std::size_t i = 0; i < cells.size(); ++i) text += (i == 0 ? "" : ",") + text_of(cells[i]);
+    return text + "\n";
+  };
+  std::string text = line(sheet.header, [](const std::string& cell) { return csv_cell(cell); });
+  for (const auto& row : sheet.rows)
+    text += line(row, [](const Json& cell) {
+      if (cell.is_number_float()) return mark_text(cell);
+      if (cell.is_null()) return std::string();
+      return cell.is_string() ? csv_cell(cell) : cell.dump();
+    });
+  return text;
+}
+
+Json as_json(const Sheet& sheet) {
+  Json list = Json::array();
+  for (const auto& row : sheet.rows) {
+    Json object = Json::object();
+    for (std::size_t i = 0; i < row.size(); ++i) object[sheet.header[i]] = row[i];
+    list.push_back(object);
+  }
+  return list;
+}
+
+Sheet gradebook(const Classroom& room, const std::vector<Student>& students, const Rules& rules) {
+  Sheet sheet{{"student"}, {}};
   double out_of = 0;
   for (const auto& exercise : room.exercises)
     if (const auto weight = rules.weights.find(exercise.id); weight != rules.weights.end()) {
-      text += "," + csv_cell(exercise.id);
+      sheet.header.push_back(exercise.id);
       out_of += weight->second;
     }
-  text += rules.deadlines.empty() ? ",total,out_of\n" : ",total,out_of,late\n";
+  for (const char* last : {"total", "out_of", "to_decide"}) sheet.header.emplace_back(last);
+  if (!rules.deadlines.empty()) sheet.header.emplace_back("late");
   for (const auto& student : students) {
-    text += csv_cell(student.name);
+    std::vector<Json> cells{student.name};
     double total = 0;
+    int to_decide = 0;
     std::string late;
     for (const auto& exercise : room.exercises) {
       if (!rules.weights.contains(exercise.id)) continue;
-      text += ",";
+      cells.emplace_back();
       for (const auto& row : student.rows) {
         if (!row.is_judged() || row.exercise != exercise.id) continue;
         const Mark mark = mark_of(rules, student, row);
+        const bool is_open = row.is_to_decide() && !mark.is_late;
         total += mark.marks;
-        text += row.opinion.outcome == Outcome::undecided ? "?" : mark_text(mark.marks);
+        to_decide += is_open;
+        cells.back() = is_open ? Json("?") : Json(rounded(mark.marks));
         if (mark.is_late) late += (late.empty() ? "" : " ") + exercise.id;
       }
     }
-    text += fmt::format(",{},{}{}\n", mark_text(total), mark_text(out_of),
-                        rules.deadlines.empty() ? "" : "," + csv_cell(late));
+    cells.insert(cells.end(), {Json(rounded(total)), Json(rounded(out_of)), Json(to_decide)});
+    if (!rules.deadlines.empty()) cells.emplace_back(late);
+    sheet.rows.push_back(cells);
   }
-  return text;
+  return sheet;
 }
 
 }  // namespace rederive::classroom

@@ -11,6 +11,7 @@
 #include <future>
 #include <lessons/exercises/handed_in.hpp>
 #include <lessons/exercises/judge.hpp>
+#include <lessons/exercises/working.hpp>
 #include <nlohmann/json.hpp>
 #include <set>
 
@@ -39,16 +40,22 @@ std::string as_text(const std::string& name) {
   return text;
 }
 
-/// Returns the names in a folder, in the order of their bytes, without hidden files, which editors and
-/// systems leave behind; nothing if it cannot be read.
+/// Returns whether systems and editors leave something of this name behind.
+bool is_left_behind(const std::string& name) {
+  const std::string small = lower_case(name);
+  return name[0] == '.' || name.ends_with('~') || name.starts_with("~$") || small == "__macosx" ||
+         small == "thumbs.db" || small == "desktop.ini" || small == "exercises.txt.lock";
+}
+
+/// Returns the names in a folder, in the order of their bytes, without what is left behind; nothing if it
+/// cannot be read.
 std::optional<std::vector<std::string>> names_in(const fs::path& folder) {
   std::error_code error;
   std::vector<std::string> names;
   fs::directory_iterator entry(folder, error), end;
-  for (; !error && entry != end; entry.increment(error)) {
-    const std::string name = entry->path().filename().string();
-    if (name[0] != '.' || fs::is_directory(entry->symlink_status(error))) names.push_back(name);
-  }
+  for (; !error && entry != end; entry.increment(error))
+    if (const std::string name = entry->path().filename().string(); !is_left_behind(name))
+      names.push_back(name);
   if (error) return {};
   std::sort(names.begin(), names.end());
   return names;
@@ -58,19 +65,16 @@ Row not_judged(Trouble trouble, const std::string& exercise = "") {
   return {.exercise = exercise, .trouble = trouble, .opinion = invalid(to_string(trouble), "")};
 }
 
-/// Adds how often a student tried, by the progress file that was handed in. Returns false if it is not one;
-/// throws BadInput if it cannot be read.
-bool add_attempts(const fs::path& file, Student& student) {
+/// Returns the progress file that was handed in, if it is one. Throws BadInput if it cannot be read.
+std::optional<Progress> handed_in_progress(const fs::path& file) {
   const FileContent content =
       content_of(file, {.most = 1U << 20, .follows_link = false, .only_ordinary = true});
   if (content.trouble == FileTrouble::failed) throw BadInput(content.complaint);
-  if (content.trouble != FileTrouble::none) return false;
+  if (content.trouble != FileTrouble::none) return {};
   try {
-    for (const auto& [id, record] : read_progress(content.bytes, file).records)
-      student.attempts[id] = record.attempts;
-    return true;
+    return read_progress(content.bytes, file);
   } catch (const BadInput&) {
-    return false;
+    return {};
   }
 }
 
@@ -89,35 +93,101 @@ const Exercise* exercise_of(const Classroom& room, const Student& student, const
   return found == room.exercises.end() ? nullptr : &*found;
 }
 
+/// What the name of a file says: the id of an exercise, or "", and whether it is a working.
+struct FileName {
+  std::string id;
+  bool is_working = false, is_exact = false;
+};
+
+FileName read_name(const Classroom& room, const std::string& name) {
+  FileName read;
+  std::string stem = name;
+  const auto take_off = [&](const std::string& end) {
+    const bool is_there = lower_case(stem).ends_with(end);
+    if (is_there) stem.resize(stem.size() - end.size());
+    return is_there;
+  };
+  while (take_off(".txt")) {
+  }
+  read.is_working = take_off(".work");
+  const std::string right = stem + (read.is_working ? ".work.txt" : ".txt");
+  std::vector<std::string> near;
+  for (const Exercise& exercise : room.exercises) {
+    if (stem == exercise.id) return {stem, read.is_working, name == right};
+    if (lower_case(stem) == lower_case(exercise.id)) read.id = exercise.id;
+    if (stem.size() <= longest_name && edit_distance(lower_case(stem), lower_case(exercise.id)) <= 1)
+      near.push_back(exercise.id);
+  }
+  if (read.id.empty() && near.size() == 1) read.id = near[0];
+  return read;
+}
+
+Row& row_for(const Exercise& exercise, const fs::path& file, Student& student) {
+  const auto found = std::ranges::find_if(
+      student.rows, [&](const Row& row) { return row.is_judged() && row.exercise == exercise.id; });
+  if (found != student.rows.end()) return *found;
+  student.rows.push_back(answer_in(file, exercise));
+  return student.rows.back();
+}
+
+/// Adds the answers of a progress file where there is no file.
+void add_entered(const Classroom& room, const fs::path& file, const Progress& progress, Student& student) {
+  for (const auto& [id, record] : progress.records) {
+    student.attempts[id] = record.attempts;
+    std::string answer = record.right.empty() ? record.answer : record.right;
+    if (record.status != Status::solved && !record.last.empty()) answer = record.last;
+    const Exercise* exercise = exercise_of(room, student, id);
+    if (answer.empty() || exercise == nullptr) continue;
+    Row& row = row_for(*exercise, file, student);
+    if (row.file != file) continue;
+    row.entered = answer;
+    row.remark = "The answer is that of the progress file.";
+    if (record.seed != exercise->seed) row.trouble = Trouble::other_variant;
+  }
+}
+
 /// Adds a row for each file of a student.
 void add_rows(const Classroom& room, const fs::path& folder, const std::vector<std::string>& names,
-              const Collecting& collecting, Student& student) {
+              Student& student) {
   constexpr std::size_t most_strange = 20;
-  std::set<std::string> missing;
   std::vector<std::string> strange;
-  for (const auto& exercise : room.exercises) missing.insert(exercise.id);
-  for (const auto& name : names) {
-    const std::string id = name.ends_with(".txt") ? name.substr(0, name.size() - 4) : "";
-    if (name == "exercises.txt") try {
-        if (add_attempts(folder / name, student)) continue;
-      } catch (const BadInput&) {
-        student.rows.push_back(not_judged(Trouble::unreadable, name));
-        continue;
+  std::map<std::pair<std::string, bool>, std::vector<std::string>>
+      by_exercise;  // and whether it is a working
+  std::optional<std::pair<fs::path, Progress>> progress;
+  for (const auto& name : names) try {
+      const FileName read = read_name(room, name);
+      if (!read.id.empty()) {
+        auto& files = by_exercise[{read.id, read.is_working}];
+        files.insert(read.is_exact ? files.begin() : files.end(), name);
+      } else if (auto entered = lower_case(name).starts_with("exercises") ? handed_in_progress(folder / name)
+                                                                          : std::nullopt) {
+        if (!progress || name == "exercises.txt") progress.emplace(folder / name, std::move(*entered));
+      } else {
+        strange.push_back(name);
       }
-    if (name == "exercises.txt.lock") continue;  // beside the progress file
-    const Exercise* exercise = exercise_of(room, student, id);
-    if (exercise == nullptr)
-      strange.push_back(name);
-    else
-      student.rows.push_back(answer_in(folder / name, *exercise));
-    missing.erase(id);
+    } catch (const BadInput&) {
+      student.rows.push_back(not_judged(Trouble::unreadable, as_text(name)));
+    }
+  for (const auto& [meant, files] : by_exercise) {
+    const auto& [id, is_working] = meant;
+    const bool is_exact = read_name(room, files[0]).is_exact;
+    if (!is_exact && files.size() > 1) {  // which of them is meant?
+      strange.insert(strange.end(), files.begin(), files.end());
+      continue;
+    }
+    strange.insert(strange.end(), files.begin() + 1, files.end());
+    Row& row = row_for(*exercise_of(room, student, id), folder / files[0], student);
+    if (is_working) row.working = folder / files[0];
+    if (!is_exact)
+      row.remark += fmt::format("{}The file {} is taken for {}{}.", row.remark.empty() ? "" : " ",
+                                as_text(files[0]), id, is_working ? ".work.txt" : ".txt");
   }
+  if (progress) add_entered(room, progress->first, progress->second, student);
+  std::ranges::stable_sort(student.rows, {}, &Row::exercise);
   for (std::size_t i = 0; i < std::min(strange.size(), most_strange); ++i)
     student.rows.push_back(not_judged(Trouble::unknown_exercise, as_text(strange[i])));
   if (strange.size() > most_strange) student.rows.push_back(not_judged(Trouble::too_many_files));
   if (names.empty()) student.rows.push_back(not_judged(Trouble::empty_folder));
-  if (collecting.missing)
-    for (const auto& id : missing) student.rows.push_back(not_judged(Trouble::not_handed_in, id));
 }
 
 Student student_in(const Classroom& room, const fs::path& folder, const Collecting& collecting) {
@@ -126,14 +196,13 @@ Student student_in(const Classroom& room, const fs::path& folder, const Collecti
   const auto status = fs::symlink_status(folder, error);
   const bool is_link = fs::is_symlink(status);
   student.is_student = is_link || fs::is_directory(status);
-  const auto names =
-      is_link || !student.is_student || student.name[0] == '.' ? std::nullopt : names_in(folder);
+  const auto names = is_link || !student.is_student ? std::nullopt : names_in(folder);
   if (names) {
     if (collecting.variants)
       for (auto& exercise :
            read_exercises(room.course, room.course.exercises, collecting.seed + student.name))
         if (!exercise.choice.empty()) student.variants.emplace(exercise.id, std::move(exercise));
-    add_rows(room, folder, *names, collecting, student);
+    add_rows(room, folder, *names, student);
     return student;
   }
   Trouble trouble = Trouble::unreadable;
@@ -141,32 +210,58 @@ Student student_in(const Classroom& room, const fs::path& folder, const Collecti
     trouble = Trouble::symlink;
   else if (!student.is_student)
     trouble = Trouble::not_a_folder;
-  else if (student.name[0] == '.')
-    trouble = Trouble::hidden_folder;
   student.rows.push_back(not_judged(trouble));
   return student;
 }
 
+/// Returns the better of the opinions on an answer and on its working. What a teacher must decide comes
+/// before what is wrong.
+Opinion better(const Opinion& answer, const Opinion& working) {
+  const auto rank = [](const Opinion& one) { return needs_teacher(one) ? 0.99 : one.score; };
+  return rank(working) > rank(answer) ? working : answer;
+}
+
 /// An answer in its child process: read before that is sealed, judged afterwards.
 struct Desk {
-  AnswerFile file = {};
+  AnswerFile file = {}, working = {};
   std::optional<Prepared> own = {};
 
   void read(const Row& row, const Exercise* variant) {
     const int nowhere = ::open("/dev/null", O_RDWR);
     for (int standard = 0; standard < 3; ++standard) ::dup2(nowhere, standard);
     if (nowhere > 2) ::close(nowhere);
-    file = read_answer_file(row.file);
+    if (row.trouble != Trouble::none)
+      file = {.trouble = row.trouble, .text = *row.entered};
+    else if (row.entered)
+      file.text = *row.entered;
+    else
+      file = read_answer_file(row.file);
+    if (!row.working.empty()) working = read_answer_file(row.working);
     if (variant != nullptr) own = prepare(*variant);
     read_slip_words();
   }
-  std::string judge(const Prepared& common) const {
+  Opinion judge_work(const Exercise& exercise) const try {
+    return working.trouble == Trouble::none ? judge_working(exercise, working.lines).opinion
+                                            : refused(working.trouble);
+  } catch (const BadInput& error) {
+    return undecided(error.what());
+  }
+  std::string judge(const Row& row, const Prepared& common) const {
     constexpr std::size_t most = 4000;  // bytes of a text, of which pages show the beginning
-    Opinion opinion =
-        file.trouble == Trouble::none ? judge_answer(own ? *own : common, file.text) : refused(file.trouble);
+    const Prepared& prepared = own ? *own : common;
+    const bool has_answer = row.file != row.working;
+    Opinion opinion;
+    if (has_answer)
+      opinion = file.trouble == Trouble::none ? judge_answer(prepared, file.text) : refused(file.trouble);
+    if (!row.working.empty()) {
+      const Opinion work = judge_work(prepared.exercise);
+      opinion = has_answer ? better(opinion, work) : work;
+    }
     opinion.read_as = opinion.read_as.substr(0, most);
     opinion.feedback = opinion.feedback.substr(0, most);
-    return nlohmann::json{packed(opinion), file.text.substr(0, most)}.dump(
+    std::string text = has_answer ? file.text : "";
+    for (const auto& [number, line] : working.lines) text += (text.empty() ? "" : "\n") + line;
+    return nlohmann::json{packed(opinion), text.substr(0, most)}.dump(
         -1, ' ', false, nlohmann::json::error_handler_t::replace);
   }
 };
@@ -190,7 +285,8 @@ std::vector<Student> collect(const Classroom& room, const fs::path& folder, cons
   const auto names = names_in(folder);
   if (!names) throw BadInput("cannot read the folder '" + printable_name(folder) + "'");
   std::vector<Student> students;
-  for (const auto& name : *names) students.push_back(student_in(room, folder / name, collecting));
+  for (const auto& name : *names)
+    if (name != decisions_name) students.push_back(student_in(room, folder / name, collecting));
   return students;
 }
 
@@ -211,7 +307,8 @@ void judge_all(const Classroom& room, std::vector<Student>& students, unsigned w
       const Exercise* variant = jobs[i].second;
       const Prepared& common = answers.at(row.exercise);
       Desk desk;
-      fill_in(row, run_bounded([&] { return desk.judge(common); }, most_judging_seconds,
+      fill_in(row, run_bounded([&] { return desk.judge(row, common); },
+                               row.working.empty() ? most_judging_seconds : 3 * most_judging_seconds,
                                most_judging_megabytes, 60, [&] { desk.read(row, variant); }));
       if (const std::size_t count = ++done; lively && (count % 20 == 0 || count == jobs.size()))
         std::fprintf(stderr, "\rJudged %zu of %zu", count, jobs.size());

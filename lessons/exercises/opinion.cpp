@@ -71,6 +71,10 @@ int exit_code(const Opinion& opinion) {
   return opinion.outcome == Outcome::undecided ? 3 : 1;
 }
 
+bool needs_teacher(const Opinion& opinion) {
+  return opinion.outcome == Outcome::invalid || opinion.outcome == Outcome::undecided;
+}
+
 std::string feedback_of(const Opinion& opinion) {
   return opinion.outcome == Outcome::correct && opinion.feedback.empty() ? "Right." : opinion.feedback;
 }

@@ -43,6 +43,8 @@ Opinion undecided(const std::string& reason);
 
 /// Returns the exit code: 0 correct, 1 wrong, 2 invalid, 3 undecided.
 int exit_code(const Opinion& opinion);
+/// Returns whether an opinion is no verdict: the text could not be read, or not be decided.
+bool needs_teacher(const Opinion& opinion);
 /// Returns what to tell the student, in sentences with marks.
 std::string feedback_of(const Opinion& opinion);
 

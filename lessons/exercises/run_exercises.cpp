@@ -66,11 +66,17 @@ void declare_grade(CLI::App& app, GradeFlags& flags, Typed& given) {
     return grade->add_option(name, into, says)->check(file_name)->type_name("FILE");
   };
   file("--csv", flags.csv, "Write the rows to this file as CSV. Default: standard output.");
-  file("--gradebook", flags.gradebook,
-       "Write the marks as CSV: one row per student, one column per exercise.");
+  file("--gradebook", flags.gradebook, "Write the marks: one row per student, one column per exercise.");
   file("--report", flags.report, "Write a page about the common slips, with typical answers.");
-  file("--feedback", flags.feedback, "Write one page per student into this folder, to hand back.")
-      ->type_name("DIR");
+  file("--feedback", flags.feedback,
+       "Write one page per student into this folder, to hand back; into FILE.csv or FILE.json, a table.")
+      ->type_name("DIR|FILE");
+  grade
+      ->add_option("--set", flags.set,
+                   "Mark these exercises. Default: those with a weight, else all that anybody handed in.")
+      ->type_name("ID");
+  grade->add_flag("--review", flags.review,
+                  "Ask about each answer that could not be read or decided. One key decides, and is kept.");
   file("--weights", flags.weights,
        "Read the weights from a CSV file: exercise,weight. Default: every exercise has weight 1.");
   file("--deadline", flags.deadline,
@@ -85,12 +91,21 @@ void declare_grade(CLI::App& app, GradeFlags& flags, Typed& given) {
   $ PROGRAM grade class --gradebook marks.csv --deadline 2026-12-01T12:00
   $ PROGRAM grade class --report slips.html --feedback pages
 
-A mark is weight x score. Each attempt after the first costs a tenth of it, down to a half. Attempts are
-known if a student handed in the progress file, exercises.txt, beside the answers. In the gradebook, an
-empty cell means that nothing was handed in, and ? means that the program could not decide: look at the
-answer yourself. CSV files have the header that is named above. A time has the form 2026-12-01T12:00, in
-UTC or with an offset such as +02:00; a day alone ends at midnight. A row of --handed-in without an
-exercise applies to all exercises of the student.
+A student may hand in a working, DIR/<student>/<ID>.work.txt, which gets marks by step, and the progress
+file, exercises.txt: its attempts count, and its answers where there is no file. The name of a file may be
+in capitals, end in .txt.txt, or be one letter away from an exercise: it counts, with a note. Hidden
+folders, __MACOSX, and what editors leave behind are no students and no answers.
+
+A mark is weight x score. Each attempt after the first costs a tenth of it, down to a half. In the marks,
+an empty cell means that nothing was handed in, and ? that you must decide, because the program could not
+read or decide the answer; nothing is added for it until then. --review asks for each: r right, h half
+of the marks, w wrong, s skip, q quit. The decisions are kept in DIR/decisions.csv, and count as long as
+the answer is the same. The marks are out of the exercises that were set: --set, else those in --weights,
+else all that anybody handed in.
+
+A file ending in .html, .json or .csv is written in that format. CSV files have the header that is named
+above. A time has the form 2026-12-01T12:00, in UTC or with an offset such as +02:00; a day alone ends at
+midnight. A row of --handed-in without an exercise applies to all exercises of the student.
 The exit code is 3 if judging an answer reached a limit or crashed; the last lines name the answers.)help");
   grade
       ->add_option("--workers", flags.workers,
@@ -100,8 +115,8 @@ The exit code is 3 if judging an answer reached a limit or crashed; the last lin
   grade->add_flag(
       "--variants", flags.collecting.variants,
       "Judge each student by the variants of the folder's name; with --seed S, of S and the name, 'Sname'.");
-  grade->add_flag("--missing", flags.collecting.missing,
-                  "Write a row also for each answer that was not handed in.");
+  grade->add_flag("--missing", flags.missing,
+                  "Write a row also for each answer that was set and not handed in.");
 }
 
 void declare(CLI::App& app, Typed& given) {

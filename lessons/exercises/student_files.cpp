@@ -31,11 +31,11 @@ constexpr std::array trouble_words{
     TroubleWords{"encoding", "The file is not text in UTF-8. Save it as UTF-8 (not Latin-1 or UTF-16)."},
     TroubleWords{"empty", "There is no answer here yet."},
     TroubleWords{"not_a_folder", ""},
-    TroubleWords{"hidden_folder", ""},
     TroubleWords{"empty_folder", ""},
     TroubleWords{"unknown_exercise", ""},
     TroubleWords{"too_many_files", ""},
-    TroubleWords{"not_handed_in", ""}};
+    TroubleWords{"not_handed_in", ""},
+    TroubleWords{"other_variant", "This is an answer to another variant of the exercise."}};
 
 const TroubleWords& words_of(Trouble trouble) { return trouble_words[static_cast<std::size_t>(trouble)]; }
 
@@ -52,10 +52,14 @@ std::vector<std::pair<int, std::string>> without_comments(const std::string& tex
 /// The names are in the order of Status.
 constexpr std::array statuses{"open", "tried", "solved", "given_up"};
 
+constexpr std::string_view version = "# Format ";
+constexpr int newest_format = 2;
 constexpr auto heading =
     "# Rederive: what you have done so far. One exercise a line:\n"
     "# exercise, status, attempts, hints seen, latest answer; between them a tab.\n"
-    "# Behind it \"hinted\": the hint for the slip in it has been given; \"seed\": of which variant.\n";
+    "# Behind it \"hinted\": the hint for the slip in it has been given; \"seed\": of which variant;\n"
+    "# \"last\": the latest answer, if it could not be judged; \"right\": an earlier one that was right.\n"
+    "# Format 2\n";
 
 /// The characters that would break a line, and the letters that stand for them after a backslash.
 constexpr std::string_view breaks = "\n\r\t\\", letters = "nrt\\";
@@ -114,6 +118,10 @@ bool read_line(const std::string& line, Progress& progress) {
       record.hinted = true;
     else if (parts[k].starts_with("seed "))
       record.seed = unescaped_line(parts[k].substr(5));
+    else if (parts[k].starts_with("last "))
+      record.last = unescaped_line(parts[k].substr(5));
+    else if (parts[k].starts_with("right "))
+      record.right = unescaped_line(parts[k].substr(6));
     else
       return false;
   progress.records[parts[0]] = record;
@@ -162,21 +170,31 @@ Progress read_progress(const std::string& text, const std::filesystem::path& fil
   Progress progress;
   std::istringstream stream(text);
   std::string line;
-  for (int number = 1; std::getline(stream, line); ++number)
+  for (int number = 1; std::getline(stream, line); ++number) {
+    int format = 0;
+    if (line.ends_with('\r')) line.pop_back();  // a mail program writes its own line ends
+    if (line.starts_with(version) && read_count(line.substr(version.size()), format) &&
+        format > newest_format)
+      throw BadInput(fmt::format("{}, line {}: a newer version of Rederive wrote this file, in format {}",
+                                 printable_name(file), number, format));
     if (!line.empty() && line[0] != '#' && !read_line(line, progress))
       throw BadInput(
           fmt::format("{}, line {}: the line does not have the form that Rederive writes. Mend it, or move "
                       "the file away to start afresh",
                       printable_name(file), number));
+  }
   return progress;
 }
 
 void save_progress(const std::filesystem::path& file, const Progress& progress) {
   std::string text = heading;
+  const auto field = [](const char* name, const std::string& value) {
+    return value.empty() ? "" : fmt::format("\t{} {}", name, escaped_line(value));
+  };
   for (const auto& [id, record] : progress.records)
-    text += fmt::format("{}\t{}\t{}\t{}\t{}{}{}\n", id, to_string(record.status), record.attempts,
+    text += fmt::format("{}\t{}\t{}\t{}\t{}{}{}{}{}\n", id, to_string(record.status), record.attempts,
                         record.hints, escaped_line(record.answer), record.hinted ? "\thinted" : "",
-                        record.seed.empty() ? "" : "\tseed " + escaped_line(record.seed));
+                        field("seed", record.seed), field("last", record.last), field("right", record.right));
   for (const auto& [id, answer] : progress.old_answers)
     text += fmt::format("old\t{}\t{}\n", id, escaped_line(answer));
   make_own_folder(file.parent_path());

@@ -20,11 +20,11 @@ enum class Trouble {
   encoding,
   empty,
   not_a_folder,
-  hidden_folder,
   empty_folder,
   unknown_exercise,
   too_many_files,
-  not_handed_in
+  not_handed_in,
+  other_variant
 };
 /// Returns the stable word: "too_large".
 std::string to_string(Trouble trouble);
@@ -50,7 +50,9 @@ std::string to_string(Status status);
 struct Record {
   Status status = Status::open;
   int attempts = 0, hints = 0;
-  std::string answer = {};  ///< the latest that could be read
+  std::string answer = {};  ///< the latest that could be judged
+  std::string last = {};    ///< the latest of all, if that could not be judged
+  std::string right = {};   ///< the one that solved it, if a wrong one came later
   bool hinted = false;      ///< the hint for the slip in it was given
   std::string seed = {};    ///< of the variant that it answers
 };
@@ -65,7 +67,7 @@ struct Progress {
 std::filesystem::path progress_file(const std::string& given, const std::filesystem::path& otherwise);
 /// Reads a progress file; one that does not exist is a fresh start. Throws BadInput, with file and line.
 Progress load_progress(const std::filesystem::path& file);
-/// Reads the text of one; errors name `file`.
+/// Reads the text of one; errors name `file`. It may have format 1, which lacks `last` and `right`.
 Progress read_progress(const std::string& text, const std::filesystem::path& file);
 /// Writes it whole or not at all, and makes its folder. Throws BadInput if it cannot.
 void save_progress(const std::filesystem::path& file, const Progress& progress);

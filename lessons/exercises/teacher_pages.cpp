@@ -59,6 +59,7 @@ void add_section(const Exercise& exercise, const Rules& rules, const Student& st
   };
   passages.push_back(Heading{literal(exercise.title)});
   say(row.statement);
+  if (!row.remark.empty()) passages.push_back(Paragraph{as_code(row.remark, 400)});
   passages.push_back(Commands{{row.answer.empty() ? "(nothing)" : cut(row.answer, 400)}});
   Opinion opinion = row.opinion;
   if (opinion.read_as == row.answer) opinion.read_as.clear();
@@ -68,7 +69,7 @@ void add_section(const Exercise& exercise, const Rules& rules, const Student& st
   if (weight == rules.weights.end()) return;
   const Mark mark = mark_of(rules, student, row);
   passages.push_back(Paragraph{fmt::format(
-      "Marks: {} of {}{}{}", opinion.outcome == Outcome::undecided ? "?" : mark_text(mark.marks),
+      "Marks: {} of {}{}{}", row.is_to_decide() && !mark.is_late ? "?" : mark_text(mark.marks),
       mark_text(weight->second), mark.attempts > 1 ? fmt::format(", after {} attempts", mark.attempts) : "",
       mark.is_late ? "; handed in after the deadline" : "")});
 }
@@ -77,12 +78,15 @@ std::string feedback_page(const Classroom& room, const Student& student, const R
   std::vector<Passage> passages;
   std::vector<std::string> missing;
   double total = 0, out_of = 0;
+  int to_decide = 0;
   for (const auto& exercise : room.exercises) {
     bool there = false;
     for (const auto& row : student.rows)
       if (row.is_judged() && row.exercise == exercise.id) {
         add_section(exercise, rules, student, row, passages);
-        total += mark_of(rules, student, row).marks;
+        const Mark mark = mark_of(rules, student, row);
+        total += mark.marks;
+        to_decide += rules.weights.contains(exercise.id) && row.is_to_decide() && !mark.is_late;
         there = true;
       }
     const auto weight = rules.weights.find(exercise.id);
@@ -103,8 +107,12 @@ std::string feedback_page(const Classroom& room, const Student& student, const R
     passages.push_back(Heading{"Not handed in"});
     passages.push_back(Paragraph{joined(missing, ", ")});
   }
-  passages.insert(passages.begin(),
-                  Paragraph{fmt::format("Marks: {} of {}", mark_text(total), mark_text(out_of))});
+  passages.insert(
+      passages.begin(),
+      Paragraph{fmt::format("Marks: {} of {}{}", mark_text(total), mark_text(out_of),
+                            to_decide == 0 ? ""
+                                           : "; your teacher has still to decide about " +
+                                                 counted(static_cast<std::size_t>(to_decide), "answer"))});
   return page(room, cut(student.name, 200), passages);
 }
 
@@ -176,6 +184,54 @@ std::string report_page(const Classroom& room, const std::vector<Student>& stude
     if (!tally.slips.empty()) passages.push_back(table_of(tally.slips, "typical answers", typical_answers));
   }
   return page(room, "What the class makes of the exercises", passages);
+}
+
+Sheet feedback_sheet(const std::vector<Student>& students, const Rules& rules) {
+  Sheet sheet{{"student", "exercise", "verdict", "note", "score", "marks", "line", "answer", "feedback",
+               "hint", "remark"},
+              {}};
+  for (const auto& student : students)
+    for (const auto& row : student.rows) {
+      const Opinion& opinion = row.opinion;
+      const Mark mark = mark_of(rules, student, row);
+      Json marks;
+      if (rules.weights.contains(row.exercise))
+        marks = row.is_to_decide() && !mark.is_late ? Json("?") : Json(rounded(mark.marks));
+      sheet.rows.push_back({student.name, row.exercise, to_string(opinion.outcome), opinion.note.word,
+                            opinion.score, marks, opinion.line == 0 ? Json() : Json(opinion.line), row.answer,
+                            feedback_of(opinion), opinion.hint, row.remark});
+    }
+  return sheet;
+}
+
+Sheet report_sheet(const std::vector<Student>& students) {
+  Sheet sheet{{"exercise", "answers", "correct", "note", "times", "typical"}, {}};
+  for (const auto& [exercise, tally] : tallies_of(students)) {
+    if (tally.slips.empty())
+      sheet.rows.push_back({exercise, tally.answers, tally.correct, Json(), 0, Json()});
+    for (const auto& [note, seen] : by_frequency(tally.slips, &Seen::times))
+      sheet.rows.push_back({exercise, tally.answers, tally.correct, note, seen.times,
+                            by_frequency(seen.answers, std::identity()).front().first});
+  }
+  return sheet;
+}
+
+std::string sheet_text(const Classroom& room, const std::string& title, const Sheet& sheet,
+                       const std::filesystem::path& file) {
+  const std::string ending = lower_case(file.extension().string());
+  if (ending == ".json") return as_json(sheet).dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  if (ending != ".html") return as_csv(sheet);
+  Table table{sheet.header, {}};
+  for (std::string& name : table.header) name = literal(name);
+  for (const auto& row : sheet.rows) {
+    table.rows.emplace_back();
+    for (const Json& cell : row) {
+      std::string text = cell.is_string() ? cell.get<std::string>() : cell.dump();
+      if (cell.is_null()) text.clear();
+      table.rows.back().push_back(text.empty() ? "" : as_code(text, 400));
+    }
+  }
+  return page(room, title, {table});
 }
 
 }  // namespace rederive::classroom

@@ -41,7 +41,14 @@ auto by_frequency(const Map& map, Count count) {
 std::vector<std::pair<std::string, std::string>> feedback_pages(const Classroom& room,
                                                                 const std::vector<Student>& students,
                                                                 const Rules& rules);
+/// Returns the same as a sheet: a row for each answer, with its marks.
+Sheet feedback_sheet(const std::vector<Student>& students, const Rules& rules);
 /// Returns a page about the class, without names: which slips are common, with typical answers.
 std::string report_page(const Classroom& room, const std::vector<Student>& students);
+/// Returns the same as a sheet: a row for each slip in an exercise.
+Sheet report_sheet(const std::vector<Student>& students);
+/// Returns a sheet in the format that the name of a file asks for: .html, .json, else CSV.
+std::string sheet_text(const Classroom& room, const std::string& title, const Sheet& sheet,
+                       const std::filesystem::path& file);
 
 }  // namespace rederive::classroom

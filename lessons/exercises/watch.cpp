@@ -2,12 +2,12 @@
 #include <poll.h>
 #include <signal.h>
 #include <sys/signalfd.h>
-#include <termios.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <derivations/program/program.hpp>
 #include <lessons/exercises/judge.hpp>
+#include <lessons/exercises/keys.hpp>
 #include <lessons/exercises/show.hpp>
 #include <lessons/exercises/watch.hpp>
 #include <map>
@@ -20,26 +20,6 @@ using namespace program;
 namespace {
 
 namespace fs = std::filesystem;
-
-/// Makes the terminal give single keys, and restores it at the end.
-class KeyMode {
- public:
-  KeyMode() : active_(::isatty(0) != 0 && ::tcgetattr(0, &before_) == 0) {
-    if (!active_) return;
-    termios keys = before_;
-    keys.c_lflag &= ~static_cast<tcflag_t>(ICANON | ECHO);
-    ::tcsetattr(0, TCSANOW, &keys);
-  }
-  ~KeyMode() {
-    if (active_) ::tcsetattr(0, TCSANOW, &before_);
-  }
-  KeyMode(const KeyMode&) = delete;
-  KeyMode& operator=(const KeyMode&) = delete;
-
- private:
-  termios before_{};
-  bool active_;
-};
 
 /// Returns what a student finds in a new file: the statement as comments, and an empty place below.
 std::string stub(const Exercise& exercise) {

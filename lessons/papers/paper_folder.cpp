@@ -78,6 +78,14 @@ fs::path cmake_folder() {
   return fs::exists(prefix / "RederiveConfig.cmake") ? prefix : prefix / "lib" / "cmake" / "Rederive";
 }
 
+/// Returns the progress file of a paper's folder. Its name says which folder, because others may have that
+/// name.
+fs::path progress_of(const fs::path& folder) {
+  const std::string path = fs::weakly_canonical(folder).string();
+  return state_folder() /
+         fmt::format("exercises-{}-{}.txt", fs::path(path).filename().string(), emit::hash_of(path));
+}
+
 Paper current_paper(const fs::path& folder, Stale stale) {
   refresh_derivations(folder, stale);
   return read_paper(folder);
@@ -138,7 +146,7 @@ PaperFolder::PaperFolder(const fs::path& folder, Stale stale)
                                 throw BadInput("there is no lesson " + name);
                               }},
               .program = "rederive " + paper_.folder.filename().string() + " exercises",
-              .progress = state_folder() / ("exercises-" + paper_.folder.filename().string() + ".txt")} {}
+              .progress = progress_of(paper_.folder)} {}
 
 bool PaperFolder::has_exercises() const { return fs::exists(course_.exercises); }
 

@@ -9,6 +9,7 @@
 #include "server.hpp"
 
 namespace fs = std::filesystem;
+using nlohmann::json;
 
 namespace {
 
@@ -70,12 +71,13 @@ TEST_CASE("the gradebook: score, attempts, weights and the deadline") {
     CHECK_MESSAGE(result.exit_code == 0, result.err);
     return read_file(room.book);
   };
-  const std::string head = "student,height-of-centre,frequency-of-a-bookcase,restitution,total,out_of\n";
-  const std::string in_time = head + "anna,0.5,,1.6,2.1,3.5\nbert,,0.25,0,0.25,3.5\ncarl,,,,0,3.5\n";
+  const std::string head =
+      "student,height-of-centre,frequency-of-a-bookcase,restitution,total,out_of,to_decide\n";
+  const std::string in_time = head + "anna,0.5,,1.6,2.1,3.5,0\nbert,,0.25,0,0.25,3.5,0\ncarl,,,,0,3.5,0\n";
   const std::string dated = head.substr(0, head.size() - 1) + ",late\n",
-                    others = "bert,,0.25,0,0.25,3.5,\ncarl,,,,0,3.5,\n";
-  const std::string punctual = dated + "anna,0.5,,1.6,2.1,3.5,\n" + others;
-  const std::string late = dated + "anna,0,,1.6,1.6,3.5,height-of-centre\n" + others;
+                    others = "bert,,0.25,0,0.25,3.5,0,\ncarl,,,,0,3.5,0,\n";
+  const std::string punctual = dated + "anna,0.5,,1.6,2.1,3.5,0,\n" + others;
+  const std::string late = dated + "anna,0,,1.6,1.6,3.5,0,height-of-centre\n" + others;
   CHECK(book({}) == in_time);
   CHECK(book({"--workers", "3"}) == in_time);
   CHECK(book({"--deadline", "2026-04-10"}) == punctual);  // that day's end
@@ -88,11 +90,15 @@ TEST_CASE("the gradebook: score, attempts, weights and the deadline") {
   const std::string times = room.file(
       "times.csv", "student,exercise,time\nanna,,2026-03-09\nanna,restitution,2026-03-12\nzoe,,2026-01-01\n");
   CHECK(book({"--deadline", "2026-03-11", "--handed-in", times}) ==
-        dated + "anna,0.5,,0,0.5,3.5,restitution\n" + others);
+        dated + "anna,0.5,,0,0.5,3.5,0,restitution\n" + others);
   room.grade({"--gradebook", room.book.string()});
   CHECK(contains(read_file(room.book), "\nanna,0.5,"));
-  CHECK(contains(read_file(room.book), ",total,out_of\n"));
-  CHECK(contains(read_file(room.book), ",1.3,42\n"));  // without weights each exercise counts 1
+  CHECK(contains(read_file(room.book), ",total,out_of,to_decide\n"));
+  CHECK(contains(read_file(room.book), ",1.3,3,0\n"));  // each exercise counts 1 that anybody handed in
+  room.grade({"--gradebook", room.book.string(), "--set", "restitution", "barrier"});
+  CHECK(
+      read_file(room.book) ==
+      "student,barrier,restitution,total,out_of,to_decide\nanna,,0.8,0.8,2,0\nbert,,0,0,2,0\ncarl,,,0,2,0\n");
 }
 
 TEST_CASE("a page a student says what was answered, what is wrong with it, a hint and the marks") {
@@ -100,7 +106,7 @@ TEST_CASE("a page a student says what was answered, what is wrong with it, a hin
   REQUIRE(room.grade({"--feedback", room.pages.string(), "--deadline", "2026-04-01"}).exit_code == 0);
   CHECK(room.page_names() == std::vector<std::string>{"anna.html", "bert.html", "carl.html"});
   const std::string anna = read_file(room.pages / "anna.html"), bert = read_file(room.pages / "bert.html");
-  for (const auto* part : {"<h1>anna</h1>", "Marks: 0.8 of 42", "Marks: 0.8 of 1, after 3 attempts",
+  for (const auto* part : {"<h1>anna</h1>", "Marks: 0.8 of 3", "Marks: 0.8 of 1, after 3 attempts",
                            "Correct.", "Marks: 0 of 1, after 20 attempts; handed in after the deadline"})
     CHECK_MESSAGE(contains(anna, part), part);
   for (const auto* part : {"<pre>cos(2*alpha)\n</pre>", "You have left out the rotation about C",
@@ -221,4 +227,112 @@ TEST_CASE(
       CHECK(contains(rows, "a,height-of-centre,correct,"));
       CHECK(contains(rows, "d,height-of-centre,correct,"));
     }
+}
+
+TEST_CASE("a file whose name is nearly right counts, with a note; what systems leave behind is nothing") {
+  const ClassRoom room;
+  for (const char* name : {"anna/Restitution.TXT", "bert/restitution.txt.txt", "carl/restitutoin.txt",
+                           "dora/restitution", "Zoe\u0308/restitution.txt", "emil/restitution.txt",
+                           ".git/restitution.txt", "__MACOSX/anna/restitution.txt", "anna/._Restitution.TXT",
+                           "anna/~$restitution.txt", "anna/.#restitution.txt", "anna/restitution.txt~",
+                           "anna/Thumbs.db", "anna/desktop.ini", "anna/.DS_Store"})
+    room.hand_in(name, right, 3, 10);
+  room.hand_in("emil/Restitution.txt", slip, 3, 10);  // the exact name is there
+  room.hand_in("fay/RESTITUTION.txt", slip, 3, 10);   // which of the two?
+  room.hand_in("fay/Restitution.txt", right, 3, 10);
+  room.hand_in("gus/restitution.docx", right, 3, 10);
+  const Result result = room.grade({});
+  CHECK(result.exit_code == 0);
+  for (const char* row :
+       {"\nanna,restitution,correct,", "\nbert,restitution,correct,", "\ncarl,restitution,correct,",
+        "\ndora,restitution,correct,", "\nZoe\u0308,restitution,correct,", "\nemil,restitution,correct,",
+        "\nemil,Restitution.txt,invalid,unknown_exercise,", "\nfay,RESTITUTION.txt,invalid,unknown_exercise,",
+        "\nfay,Restitution.txt,invalid,unknown_exercise,",
+        "\ngus,restitution.docx,invalid,unknown_exercise,"})
+    CHECK_MESSAGE(contains(result.out, row), row);
+  CHECK(std::count(result.out.begin(), result.out.end(), '\n') == 11);
+  for (const char* note : {"anna, restitution: The file Restitution.TXT is taken for restitution.txt.",
+                           "carl, restitution: The file restitutoin.txt is taken for restitution.txt."})
+    CHECK_MESSAGE(contains(result.err, note), note);
+  CHECK(!contains(result.err, "emil"));
+}
+
+TEST_CASE("what cannot be read or decided waits for the teacher, who decides it with a key, once") {
+  const ClassRoom room;
+  room.hand_in("anna/restitution.txt", "1 - 3/2*sin(alpha", 3, 10);
+  room.hand_in("bert/restitution.txt", "1 - 3/2*sinn(alpha)^2", 3, 10);
+  room.hand_in("carl/restitution.txt", "=\xff", 3, 10);
+  room.hand_in("dora/restitution.txt", "", 3, 10);
+  room.hand_in("emil/restitution.txt", right, 3, 10);
+  const auto marks = [&](const std::string& keys) {
+    const Result result = run_program(
+        "/bin/sh", {"-c", "printf '%s' '" + keys + "' | " + quoted(REDERIVE_PROGRAMS "/exercises") +
+                              " grade " + quoted(room.answers) + (keys.empty() ? "" : " --review") +
+                              " --gradebook " + quoted(room.book)});
+    CHECK(result.exit_code == 0);
+    return read_file(room.book).substr(std::string("student,restitution,total,out_of,to_decide\n").size()) +
+           (contains(result.err, "--review") ? "more\n" : "");
+  };
+  const std::string others = "dora,0,0,1,0\nemil,1,1,1,0\n";
+  CHECK(marks("") == "anna,?,0,1,1\nbert,?,0,1,1\ncarl,?,0,1,1\n" + others + "more\n");
+  CHECK(!fs::exists(room.answers / "decisions.csv"));
+  CHECK(marks("zr\nq") == "anna,1,1,1,0\nbert,?,0,1,1\ncarl,?,0,1,1\n" + others + "more\n");  // z is no key
+  CHECK(marks("sh") == "anna,1,1,1,0\nbert,?,0,1,1\ncarl,0.5,0.5,1,0\n" + others + "more\n");
+  CHECK(marks("w") == "anna,1,1,1,0\nbert,0,0,1,0\ncarl,0.5,0.5,1,0\n" + others);
+  CHECK(marks("") == "anna,1,1,1,0\nbert,0,0,1,0\ncarl,0.5,0.5,1,0\n" + others);
+  room.hand_in("anna/restitution.txt", "2 - 3/2*sin(alpha", 3, 10);  // another answer: another question
+  CHECK(marks("") == "anna,?,0,1,1\nbert,0,0,1,0\ncarl,0.5,0.5,1,0\n" + others + "more\n");
+  write_file(room.answers / "decisions.csv", "student,exercise,answer,decision\nanna,restitution,x,good\n");
+  const Result refused = room.grade({});
+  CHECK(refused.exit_code == 2);
+  CHECK(contains(refused.err, "decisions.csv, line 2: 'good' must be right, half or wrong"));
+}
+
+TEST_CASE("a progress file that was handed in has answers and attempts, also one of format 1") {
+  const ClassRoom room;
+  room.hand_in("anna/exercises.txt", "restitution\tsolved\t3\t0\t1 - 3/2*sin(alpha)^2\n", 3, 10);
+  room.hand_in("bert/Exercises (1).txt",
+               "# Format 2\r\nrestitution\tsolved\t1\t0\tcos(2*alpha)\tright 1 - 3/2*sin(alpha)^2\r\n"
+               "height-of-centre\ttried\t1\t0\tR\tlast R*(cos(\r\n",
+               3, 10);
+  room.hand_in("carl/exercises.txt", "restitution\tsolved\t1\t0\tx\n", 3, 10);
+  room.hand_in("carl/restitution.txt", right, 3, 10);
+  room.hand_in("dora/exercises.txt", "# Format 9\nrestitution\tsolved\t1\t0\tx\n", 3, 10);
+  room.hand_in("emil/exercises.txt", "barrier\ttried\t1\t0\tm*g*R\tseed 77\n", 3, 10);
+  const json all = json::parse(room.grade({"--json", "--set", "restitution"}).out);
+  CHECK(all["set"] == json{"restitution"});
+  CHECK(all["to_decide"] == 2);
+  std::map<std::string, json> marks;
+  for (const json& row : all["marks"]) marks[row["student"]] = row;
+  CHECK(marks["anna"]["restitution"] == 0.8);
+  CHECK(marks["bert"]["restitution"] == 1);
+  CHECK(marks["carl"]["total"] == 1);
+  CHECK(marks["dora"]["restitution"].is_null());
+  std::string rows;
+  for (const json& row : all["feedback"])
+    rows += row["student"].get<std::string>() + " " + row["exercise"].get<std::string>() + " " +
+            row["note"].get<std::string>() + "\n";
+  for (const char* row : {"bert height-of-centre syntax\n", "dora exercises.txt unknown_exercise\n",
+                          "emil barrier other_variant\n"})
+    CHECK_MESSAGE(contains(rows, row), rows);
+}
+
+TEST_CASE("marks, feedback and report as CSV, HTML and JSON") {
+  const ClassRoom room = small_class();
+  for (const std::string ending : {".csv", ".html", ".json"}) {
+    const std::string marks = room.folder.path / ("marks" + ending),
+                      report = room.folder.path / ("r" + ending),
+                      feedback = room.folder.path / ("feedback" + (ending == ".html" ? "" : ending));
+    REQUIRE(room.grade({"--gradebook", marks, "--report", report, "--feedback", feedback}).exit_code == 0);
+    if (ending == ".json") {
+      CHECK(json::parse(read_file(marks))[0]["total"] == 1.3);
+      CHECK(json::parse(read_file(feedback))[0]["student"] == "anna");
+      CHECK(json::parse(read_file(report)).size() == 3);
+    }
+    if (ending == ".html") CHECK(contains(read_file(marks), "<table"));
+    if (ending == ".csv") {
+      CHECK(contains(read_file(feedback), "\nbert,restitution,wrong,missing_term,0,0,,cos(2*alpha),"));
+      CHECK(contains(read_file(report), "\nrestitution,2,1,missing_term,1,cos(2*alpha)\n"));
+    }
+  }
 }
