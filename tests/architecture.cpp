@@ -64,6 +64,7 @@ const std::map<std::string, std::string> namespaces{{"language", "rederive::lang
                                                     {"lessons/illustrations", "rederive::illustrations"},
                                                     {"lessons/python", "rederive::python"},
                                                     {"lessons/papers", "rederive::papers"},
+                                                    {"lessons/module", "rederive::module"},
                                                     {"lessons/rocking_block", "rederive::rocking_block"}};
 
 /// Whether `folder` may include `other`.

@@ -110,9 +110,8 @@ std::string next_sentence(const Classroom& room, const Progress& progress) {
                          : "Next: [" + literal(next->title) + "](exercises.html#" + next->id + ")");
 }
 
-Findings checked(const Classroom& room, const Exercise& exercise, const std::string& answer,
-                 Progress& progress) {
-  const Opinion opinion = judge_bounded(exercise, answer);
+Findings checked(const Classroom& room, const Exercise& exercise, const Opinion& opinion,
+                 const std::string& answer, Progress& progress) {
   const std::string trouble = keep(room, exercise, opinion, answer, progress);
   Findings said = verdict_findings(opinion, exercise.language());
   const auto add = [&](const std::string& label, const std::string& words) {
@@ -251,10 +250,12 @@ Reply reply(const Classroom& room, const Exercise& exercise, const std::string& 
   Progress progress = load_progress(room.progress);
   const auto html = [&](const std::vector<Passage>& passages) { return in_html(exercise.paper(), passages); };
   std::string text;
+  std::optional<Opinion> opinion;
+  if (what == "check") opinion = judge_bounded(exercise, answer);
   if (what == "read")
     text = answer.empty() ? "" : read_back(exercise, answer);
-  else if (what == "check")
-    text = html({checked(room, exercise, answer, progress)});
+  else if (opinion)
+    text = html({checked(room, exercise, *opinion, answer, progress)});
   else if (what == "hint")
     text = html({hinted(room, exercise)});
   else if (what == "solution" || what == "give_up")
@@ -262,7 +263,7 @@ Reply reply(const Classroom& room, const Exercise& exercise, const std::string& 
   else
     throw BadInput("the button must be check, hint, solution, give_up or read, not '" + what + "'");
   if (what != "read") progress = load_progress(room.progress);
-  return {text, "(" + standing(record_of(progress, exercise)) + ")"};
+  return {text, "(" + standing(record_of(progress, exercise)) + ")", opinion};
 }
 
 }  // namespace rederive::classroom

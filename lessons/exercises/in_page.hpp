@@ -5,6 +5,7 @@
 #include <lessons/exercises/classroom.hpp>
 #include <lessons/page/passages.hpp>
 #include <map>
+#include <optional>
 #include <string>
 
 namespace rederive::classroom {
@@ -31,9 +32,10 @@ std::string page_of_statements(const Classroom& room);
 /// into a folder. Returns the exit code.
 int write_index(const Classroom& room, const std::string& folder);
 
-/// The answer to a form: HTML to show, and the progress of the student.
+/// The answer to a form: HTML to show, the progress of the student and, if the button judges, the opinion.
 struct Reply {
   std::string says, standing;
+  std::optional<Opinion> opinion;
 };
 /// Returns the reply to a button: read (nothing is judged), check, hint, solution, give_up. Throws BadInput
 /// for any other.
