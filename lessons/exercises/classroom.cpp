@@ -28,14 +28,16 @@ std::string next_line(const Classroom& room, const Progress& progress) {
 }
 
 /// Keeps an attempt, reports on it, and returns the exit code.
-int tell(const Classroom& room, const Exercise& exercise, const Opinion& opinion, const std::string& answer) {
+int tell(const Classroom& room, const Exercise& exercise, const Opinion& opinion, const std::string& answer,
+         const Working* working = nullptr) {
   Progress progress;
   if (const std::string trouble = keep(room, exercise, opinion, answer, progress); !trouble.empty())
     std::fprintf(stderr, "exercises: %s\n", printable(trouble).c_str());
   if (room.json)
-    say_json(report_json(exercise, opinion));
+    say_json(working == nullptr ? report_json(exercise, opinion) : working_json(exercise, *working));
   else
-    say(report(exercise, opinion, room.lively) +
+    say(report(working == nullptr ? exercise : working->about, opinion, room.lively) +
+        (working == nullptr ? "" : "\n" + working_text(*working)) +
         (opinion.outcome == Outcome::correct ? next_line(room, progress) : ""));
   return exit_code(opinion);
 }
@@ -203,8 +205,8 @@ int check_file(const Classroom& room, const std::string& id, const std::string& 
   if (answer.trouble == Trouble::unreadable) throw BadInput("cannot read '" + printable_name(file) + "'");
   if (answer.trouble != Trouble::none) return tell(room, exercise, refused(answer.trouble), "");
   if (!is_working) return tell(room, exercise, judge_bounded(exercise, answer.text), answer.text);
-  const Working working = judge_working(exercise, answer.lines);
-  return tell(room, working.about, working.opinion, working.answer);
+  const Working working = judge_working(exercise, answer.lines, bounded);
+  return tell(room, exercise, working.opinion, working.answer, &working);
 }
 
 int hint(const Classroom& room, const std::string& id) {

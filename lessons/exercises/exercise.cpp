@@ -15,6 +15,7 @@ namespace {
 
 using Words = std::vector<std::string>;
 
+constexpr auto laws_name = "laws.toml";
 const Words kind_names{"expression", "equation", "number", "choice", "wrong_term"};  // in the order of Kind
 const Words side_names{"left", "right", "whole"};  // in the order of Reference::Side
 
@@ -48,6 +49,22 @@ class Reader {
     check_kind(table, exercise);
     turn_options(exercise, seed);
     return exercise;
+  }
+
+  /// Reads the laws of a file.
+  std::vector<Law> laws(TomlTable& document) const {
+    std::vector<Law> all;
+    for (TomlTable& table : document.tables("law")) {
+      all.push_back({table.lines("names"), table.texts("equations"), table.texts("given")});
+      table.done();
+      if (all.back().names.empty() || all.back().equations.empty())
+        table.fail("a law needs 'names' and 'equations'");
+      for (const std::string& text : all.back().equations)
+        check_text(table, "equations", text, [](const std::string& equation, const Symbols& symbols) {
+          return parse_relation(equation, symbols);
+        });
+    }
+    return all;
   }
 
  private:
@@ -268,7 +285,8 @@ std::vector<std::filesystem::path> files_in(const std::filesystem::path& folder)
   std::error_code error;
   for (std::filesystem::directory_iterator file(folder, error), end; !error && file != end;
        file.increment(error))
-    if (file->path().extension() == ".toml" && file->path().filename() != "slips.toml")
+    if (file->path().extension() == ".toml" && file->path().filename() != "slips.toml" &&
+        file->path().filename() != laws_name)
       files.push_back(file->path());
   if (error) throw BadInput("cannot read the folder '" + folder.string() + "': " + error.message());
   std::sort(files.begin(), files.end());
@@ -282,13 +300,31 @@ std::vector<Exercise> read_exercises(const Course& course, const std::filesystem
   std::vector<Exercise> exercises;
   std::map<std::string, std::string> places;
   const Reader reader(course);
-  for (const auto& file : files_in(folder))
-    for (TomlTable& table : tables_of(file, "exercise")) {
+  std::vector<Law> shared;
+  if (const auto file = folder / laws_name; std::filesystem::exists(file)) {
+    TomlTable document(file);
+    shared = reader.laws(document);
+    document.done();
+  }
+  for (const auto& file : files_in(folder)) {
+    TomlTable document(file);
+    std::vector<TomlTable> tables = document.tables("exercise");
+    const std::vector<Law> laws = reader.laws(document);
+    document.done();
+    if (tables.empty()) document.fail("there is no [[exercise]] in this file");
+    for (TomlTable& table : tables) {
       exercises.push_back(reader.exercise(table, seed));
-      const Exercise& last = exercises.back();
+      Exercise& last = exercises.back();
+      for (const auto& all : {laws, shared})
+        std::ranges::copy_if(all, std::back_inserter(last.laws), [&](const Law& law) {
+          return std::ranges::all_of(law.given, [&](const std::string& condition) {
+            return std::ranges::count(last.given, condition) > 0;
+          });
+        });
       if (const auto [place, is_new] = places.emplace(last.id, last.place); !is_new)
         table.fail("a second exercise has this id; the first is at " + place->second, "id");
     }
+  }
   return exercises;
 }
 

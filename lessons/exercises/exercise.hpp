@@ -32,6 +32,13 @@ struct Assumption {
   std::string says;
 };
 
+/// A law from which a working may begin: a table [[law]] of the file, or of laws.toml beside it.
+struct Law {
+  std::vector<std::string> names;      ///< "Newton", "Newton's law"
+  std::vector<std::string> equations;  ///< "V - m*g = m*y_cddot"
+  std::vector<std::string> given;      ///< what the exercise must give for the law to hold: "theta > 0"
+};
+
 struct Exercise {
   const Course* course = nullptr;
   std::string id, title, statement;
@@ -50,9 +57,10 @@ struct Exercise {
   std::vector<ListedSlip> slips;
   std::vector<Option> options;
   std::vector<Assumption> assumptions;
-  Choice choice;      ///< what replaces the names in braces; empty if it has no variants
-  std::string seed;   ///< of the variant
-  std::string place;  ///< "FILE:LINE" of its table; empty for a step of a working
+  std::vector<Law> laws;  ///< from which a working may begin
+  Choice choice;          ///< what replaces the names in braces; empty if it has no variants
+  std::string seed;       ///< of the variant
+  std::string place;      ///< "FILE:LINE" of its table; empty for a step of a working
 
   const paper::Paper& paper() const { return course->paper; }
   const language::Symbols& language() const { return course->paper.symbols; }  ///< in which answers are read

@@ -15,19 +15,19 @@ using namespace program;
 namespace {
 
 /// What the user typed.
-struct Typed {
+struct Wanted {
   std::string id, answer, file, working, folder, progress, seed;
   bool json = false, give_up = false, once = false;
   int port = 0;
   GradeFlags grade;
 };
 
-CLI::App* with_json(CLI::App* command, Typed& given) {
+CLI::App* with_json(CLI::App* command, Wanted& given) {
   command->add_flag("--json", given.json, "Write one JSON document instead of text.");
   return command;
 }
 
-CLI::App* command_with_id(CLI::App& app, const std::string& name, const std::string& says, Typed& given,
+CLI::App* command_with_id(CLI::App& app, const std::string& name, const std::string& says, Wanted& given,
                           bool needed = true) {
   CLI::App* command = with_json(app.add_subcommand(name, says), given);
   auto* option = command->add_option("ID", given.id, "Id of the exercise, as in the list.");
@@ -35,7 +35,7 @@ CLI::App* command_with_id(CLI::App& app, const std::string& name, const std::str
   return command;
 }
 
-void declare_check(CLI::App& app, Typed& given) {
+void declare_check(CLI::App& app, Wanted& given) {
   auto* check = command_with_id(app, "check",
                                 "Judge an answer. Put -- before an answer that begins with a minus.", given);
   auto* answer = check->add_option("ANSWER", given.answer, "The answer, in quotes.");
@@ -52,14 +52,19 @@ void declare_check(CLI::App& app, Typed& given) {
   $ PROGRAM check ID "m*g*sin(alpha)"
   $ PROGRAM check ID --working working.txt
 
-A working is a chain of lines. Each line must follow from the line before, and the last line is the
-answer. A line is an equation, a chain a = b = c, or an expression, alone or after an equals sign.
-Empty lines and lines that begin with # are skipped. A line may end with what is assumed in this line
-alone: [theta > 0, u_gddot = 0], or [small alpha, theta], so that the step need hold to first order
-only. Where a number is asked for, each line is a chain a = b = c that is true for the given numbers.)help");
+A working is a list of lines. Each line must follow from those before, and the last line is the answer.
+A line is an equation, a chain a = b = c, or an expression, alone or after an equals sign. Empty lines
+and lines that begin with # are skipped. A line may end with what is assumed in this line alone:
+[theta > 0, u_gddot = 0], or [small alpha, theta], so that the step need hold to first order only.
+The first line needs no reason. A line may begin anew from a law or from an equation of the paper:
+"by Newton", "Newton: V = m*(g + y_cddot)", "y_c = R*(cos(alpha - theta) - cos(alpha)) by (13)". An equation
+that the paper prints with an error is used as it is derived. "let q = R*cos(alpha)" introduces a name.
+The first line that does not follow is shown with a point at which it fails. A line that cannot be read is
+marked, and the others are judged without it. Where a number is asked for, each line is a chain a = b = c
+that is true for the given numbers.)help");
 }
 
-void declare_grade(CLI::App& app, GradeFlags& flags, Typed& given) {
+void declare_grade(CLI::App& app, GradeFlags& flags, Wanted& given) {
   auto* grade = with_json(app.add_subcommand("grade", "Judge a whole class: DIR/<student>/<ID>.txt."), given);
   grade->add_option("DIR", flags.folder, "Folder of the class, with one folder per student.")->required();
   const auto file = [&](const char* name, std::string& into, const char* says) {
@@ -119,7 +124,7 @@ The exit code is 3 if judging an answer reached a limit or crashed; the last lin
                   "Write a row also for each answer that was set and not handed in.");
 }
 
-void declare(CLI::App& app, Typed& given) {
+void declare(CLI::App& app, Wanted& given) {
   app.require_subcommand(0, 1);
   app.fallthrough();
   app.add_option("--progress", given.progress,
@@ -150,7 +155,7 @@ void declare(CLI::App& app, Typed& given) {
   with_json(app.add_subcommand("selftest", "Prove that the exercise set is sound."), given);
 }
 
-int run(const CLI::App& app, const Typed& given, const Course& course) {
+int run(const CLI::App& app, const Wanted& given, const Course& course) {
   const auto progress = progress_file(given.progress, course.progress);
   std::string seed = given.seed;  // help without one is for the variant that was tried last
   if (app.get_option("--seed")->empty() && (app.got_subcommand("hint") || app.got_subcommand("solution")))
@@ -189,7 +194,7 @@ int run_exercises(const std::function<const Course&()>& course, const std::strin
                ", judges answers by proof, and says what is wrong with them. "
                "Without "
                "a\nsubcommand, says what comes next."};
-  Typed given;
+  Wanted given;
   declare(app, given);
   app.footer(
       "Examples:\n"

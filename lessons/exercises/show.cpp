@@ -7,6 +7,8 @@
 #include <lessons/exercises/show.hpp>
 #include <lessons/exercises/terms.hpp>
 #include <lessons/page/prose.hpp>
+#include <regex>
+#include <set>
 
 namespace rederive::classroom {
 using namespace language;
@@ -176,10 +178,29 @@ Json report_json(const Exercise& exercise, const Opinion& opinion) {
   return json;
 }
 
+namespace {
+
+/// Writes the derivations of the equations that the question names, except that of the answer.
+void argue_named(const Exercise& exercise, Page& page) {
+  static const std::regex number(R"(\((\w+)\))");
+  const std::string& text = exercise.statement;
+  std::set<std::string> done{exercise.answer.derivation, exercise.answer.row};
+  for (std::sregex_iterator found(text.begin(), text.end(), number), end; found != end; ++found) {
+    const std::string id = (*found)[1];
+    if (!exercise.paper().derivations.contains(id) || !done.insert(id).second) continue;
+    page.say(fmt::format("The question names ({}), which comes about like this:", id));
+    page.argue(*derivation_of(exercise.paper(), id));
+  }
+}
+
+}  // namespace
+
 Page way_to_answer(const Prepared& prepared) {
   const auto& reference = prepared.exercise.answer;
   const Course& course = *prepared.exercise.course;
   Page page(prepared.exercise.paper());
+  for (const std::string& hint : prepared.exercise.hints) page.say(hint);
+  argue_named(prepared.exercise, page);
   if (!reference.function.empty()) {
     function_named(reference.function, course).explain(reference.arguments, page);
     return page;

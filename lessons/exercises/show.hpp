@@ -33,7 +33,8 @@ Json presentation_json(const Exercise& exercise);
 /// Returns what was read, the verdict, the feedback and the witness; `lively` allows colour.
 std::string report(const Exercise& exercise, const Opinion& opinion, bool lively);
 Json report_json(const Exercise& exercise, const Opinion& opinion);
-/// Returns how the answer comes about.
+/// Returns how the answer comes about: the way of the hints, the equations that the question names, and the
+/// derivation of the answer.
 page::Page way_to_answer(const Prepared& prepared);
 /// Returns the same for a terminal; the last line is the answer, in the form that is asked for.
 std::string solution_text(const Prepared& prepared);

@@ -102,6 +102,38 @@ TEST_CASE("a working gets its verdict and its note, and the line at which it goe
   }
 }
 
+TEST_CASE("the steps that follow have marks, and what is said of each line can be asked for") {
+  const auto score = [](const char* id, const std::string& lines) {
+    return judge_working(exercise(id), numbered_lines(lines)).opinion.score;
+  };
+  const std::string law = "# mine\n\nby moment of momentum\n",
+                    good = "4/3*m*R^2*thetaddot = -m*R*(u_gddot*cos(alpha - theta) + g*sin(alpha - theta))\n",
+                    sign = "thetaddot = -p^2*(u_gddot/g*cos(alpha - theta) - sin(alpha - theta))\n",
+                    right = "thetaddot = -p^2*(u_gddot/g*cos(alpha - theta) + sin(alpha - theta))\n";
+  CHECK(score("equation-of-motion", law + good + right) == 1);
+  CHECK(score("equation-of-motion", law + good + sign) == 0.25);
+  CHECK(score("equation-of-motion", law + good + good) == 0.5);
+  CHECK(score("equation-of-motion", law) == 0);
+  CHECK(score("equation-of-motion", sign + sign) == 0);  // it begins wrongly
+  const Exercise& one = exercise("equation-of-motion");
+  const auto json = working_json(one, judge_working(one, numbered_lines(law + "17b\n" + good + sign)));
+  std::string words;
+  for (const auto& line : json["lines"]) words += line["status"].get<std::string>() + " ";
+  CHECK(words == "cited unreadable follows does_not_follow ");
+  CHECK(json["lines"][3]["line"] == 6);
+  const Working misprint = judge_working(one, numbered_lines("by (17b)"));
+  CHECK(contains(misprint.lines[0].remark, "The paper prints (17b) with an error"));
+}
+
+TEST_CASE("a step that does not follow from a law is shown at a point where the law holds") {
+  const Opinion opinion = followed("energy-lost", "by restitution\nthetadot_plus = e*thetadot_minus^2");
+  REQUIRE(opinion.witness);
+  const auto& at = opinion.witness->at;
+  CHECK(std::stod(at.at("thetadot_plus")) ==
+        doctest::Approx(std::stod(at.at("e")) * std::stod(at.at("thetadot_minus"))));
+  CHECK(opinion.witness->derived == "0");
+}
+
 TEST_CASE("nothing hangs") {
   CHECK(followed("height-of-centre", "R = R" + std::string(9000, '(')).note.word == "too_deep");
   std::string many = "R\n";
