@@ -516,6 +516,8 @@ class Follower {
     }
     result_.answer = print_statement(as_value(whole_.exercise, steps_.back().says), Notation::plain, {});
     Opinion& opinion = result_.opinion = bound_([&] { return judge_answer(whole_, result_.answer); });
+    if (opinion.outcome == Outcome::invalid)  // its line could be read: it has other symbols than an answer
+      opinion = wrong_answer(opinion.note, opinion.feedback.substr(0, opinion.feedback.find('\n')));
     if (opinion.outcome == Outcome::correct) {
       opinion.feedback = "Right, and each line follows from the one before.";
       if (!is_chain_) opinion.feedback = "Right, and each line follows from those before.";

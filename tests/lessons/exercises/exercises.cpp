@@ -185,8 +185,8 @@ TEST_CASE("a class with everything that can go wrong is graded, twice alike") {
         "bert,momentum,invalid,empty,0\n", "bert,notes.docx,invalid,unknown_exercise,0\n",
         "carl,restitution,invalid,too_large,0\n", "carl,barrier,invalid,",
         "dora,restitution,invalid,not_a_file,0\n", "dora,,invalid,too_many_files,0\n",
-        "empty,,invalid,empty_folder,0\n", "\n'=1+2,restitution,",
-        "linked,,invalid,symlink,0\n", "README,,invalid,not_a_folder,0\n",
+        "empty,,invalid,empty_folder,0\n", "\n'=1+2,restitution,", "linked,,invalid,symlink,0\n",
+        "README,,invalid,not_a_folder,0\n",
         "\"line\nbreak, \"\"quoted\"\"\",restitution,wrong,missing_term,0\n"})
     CHECK_MESSAGE(contains(text, row), row);
   CHECK(!contains(text, ".zoe"));
