@@ -57,11 +57,11 @@ A line is an equation, a chain a = b = c, or an expression, alone or after an eq
 and lines that begin with # are skipped. A line may end with what is assumed in this line alone:
 [theta > 0, u_gddot = 0], or [small alpha, theta], so that the step need hold to first order only.
 The first line needs no reason. A line may begin anew from a law or from an equation of the paper:
-"by Newton", "Newton: V = m*(g + y_cddot)", "y_c = R*(cos(alpha - theta) - cos(alpha)) by (13)". An equation
-that the paper prints with an error is used as it is derived. "let q = R*cos(alpha)" introduces a name.
-The first line that does not follow is shown with a point at which it fails. A line that cannot be read is
-marked, and the others are judged without it. Where a number is asked for, each line is a chain a = b = c
-that is true for the given numbers.)help");
+"by Newton", "Newton: V = m*(g + y_cddot)", "y_c = R*(cos(alpha - theta) - cos(alpha)) by (13)". An
+equation that the paper prints with an error is used as it is derived. "let q = R*cos(alpha)" introduces
+a name. The first line that does not follow is shown with a point at which it fails. A line that cannot
+be read is marked, and the others are judged without it. Where a number is asked for, each line is a
+chain a = b = c that is true for the given numbers.)help");
 }
 
 void declare_grade(CLI::App& app, GradeFlags& flags, Wanted& given) {
