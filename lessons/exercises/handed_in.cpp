@@ -44,7 +44,7 @@ std::string as_text(const std::string& name) {
 bool is_left_behind(const std::string& name) {
   const std::string small = lower_case(name);
   return name[0] == '.' || name.ends_with('~') || name.starts_with("~$") || small == "__macosx" ||
-         small == "thumbs.db" || small == "desktop.ini" || small == "exercises.txt.lock";
+         small == "thumbs.db" || small == "desktop.ini" || small.ends_with(".txt.lock");
 }
 
 /// Returns the names in a folder, in the order of their bytes, without what is left behind; nothing if it
