@@ -150,7 +150,7 @@ std::string emit(const Emission& emission, Target target, bool sharing) {
   std::string text = language.comment({origin, units}) + language.prologue();
   for (const EmittedFunction& function : functions) {
     const std::vector<std::string> arguments = argument_names(function);
-    const auto write = [&](const std::string& name, bool with_derivatives) {
+    const auto write = [&, &symbols = symbols](const std::string& name, bool with_derivatives) {
       text += "\n" + language.function(name, arguments, documentation(function, symbols, with_derivatives),
                                        body_of(function, symbols, with_derivatives, language, sharing));
     };

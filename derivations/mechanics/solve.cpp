@@ -133,7 +133,7 @@ Solution solve(const std::vector<ex>& equations, const std::vector<SymbolExpress
   }
   const std::vector<Step> pivots = solution.steps;
   for (const auto& [name, value] : solution.values) {
-    const auto is_known = [&](const Step& step) {
+    const auto is_known = [&name = name, &value = value](const Step& step) {
       return step.left.is_equal(name) && step.right.is_equal(value);
     };
     if (std::ranges::none_of(pivots, is_known)) solution.steps.push_back({"so that", name, value});

@@ -14,7 +14,7 @@ namespace rederive::numbers {
 struct Integer {
   Integer() { fmpz_init(z); }
   explicit Integer(const cln::cl_I& value) : Integer() {
-    if (const auto length = cln::integer_length(value); length < 60) {
+    if (const auto length = cln::integer_length(value); length < 8 * static_cast<long>(sizeof(long)) - 4) {
       fmpz_set_si(z, cln::cl_I_to_long(value));
     } else {
       const Integer high(cln::ash(value, -static_cast<long>(length / 2)));

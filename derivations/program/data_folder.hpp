@@ -1,10 +1,6 @@
 // Finds the files that programs read as they run: equations, exercises, pages.
 #pragma once
 
-#include <dlfcn.h>
-#include <link.h>
-#include <sys/auxv.h>
-
 #include <cstdlib>
 #include <filesystem>
 #include <sstream>
@@ -16,18 +12,7 @@ namespace rederive::program {
 /// Returns the file from which this code was loaded: a program, or a module that a program has loaded.
 /// Without /proc, a program is the file that was called, seen from the folder in which it runs. Returns "/"
 /// if the file is gone.
-inline std::filesystem::path loaded_from() {
-  Dl_info ignored;
-  link_map* loaded = nullptr;
-  ::dladdr1(reinterpret_cast<const void*>(&loaded_from), &ignored, reinterpret_cast<void**>(&loaded),
-            RTLD_DL_LINKMAP);
-  const bool is_program = loaded == nullptr || *loaded->l_name == '\0';
-  std::error_code error;
-  std::filesystem::path file =
-      std::filesystem::canonical(is_program ? "/proc/self/exe" : loaded->l_name, error);
-  if (error) file = std::filesystem::canonical(reinterpret_cast<const char*>(::getauxval(AT_EXECFN)), error);
-  return error ? "/" : file;
-}
+std::filesystem::path loaded_from();
 
 /// Returns PREFIX/share/rederive. PREFIX is the nearest folder above loaded_from() that contains it, so an
 /// installed tree and a build folder can be moved. Programs elsewhere find it by XDG_DATA_DIRS, as the XDG

@@ -1,0 +1,12 @@
+# Compiles for WebAssembly, with the compiler and the system libraries of Debian's emscripten.
+set(EMSCRIPTEN TRUE)
+set(CMAKE_SYSTEM_NAME Generic)
+set(CMAKE_SYSTEM_PROCESSOR wasm32)
+set(CMAKE_C_COMPILER ${CMAKE_CURRENT_LIST_DIR}/cc)
+set(CMAKE_CXX_COMPILER ${CMAKE_CURRENT_LIST_DIR}/c++)
+set(CMAKE_AR /usr/bin/llvm-ar-14 CACHE FILEPATH "")
+set(CMAKE_RANLIB /usr/bin/llvm-ranlib-14 CACHE FILEPATH "")
+set(CMAKE_TRY_COMPILE_TARGET_TYPE STATIC_LIBRARY)
+set(CMAKE_BUILD_TYPE Release CACHE STRING "")
+set(CMAKE_C_FLAGS_RELEASE_INIT "-O2 -DNDEBUG")
+set(CMAKE_CXX_FLAGS_RELEASE_INIT "-O2 -DNDEBUG")
