@@ -65,6 +65,7 @@ const std::map<std::string, std::string> namespaces{{"language", "rederive::lang
                                                     {"lessons/python", "rederive::python"},
                                                     {"lessons/papers", "rederive::papers"},
                                                     {"lessons/module", "rederive::module"},
+                                                    {"lessons/site", "rederive::site"},
                                                     {"lessons/rocking_block", "rederive::rocking_block"}};
 
 /// Whether `folder` may include `other`.

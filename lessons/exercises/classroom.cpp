@@ -246,22 +246,27 @@ int solution(const Classroom& room, const std::string& id, bool give_up) {
   return as_expected;
 }
 
-int reset(const Classroom& room, const std::string& id) {
-  const Exercise& exercise = find_exercise(room, id);
+std::optional<std::string> open_again(const Classroom& room, const Exercise& exercise) {
   const ProgressLock lock(room.progress);
   Progress progress = load_progress(room.progress);
   const auto found = progress.records.find(exercise.id);
-  if (found == progress.records.end()) {
+  if (found == progress.records.end()) return {};
+  const std::string old = found->second.answer;
+  if (!old.empty()) progress.old_answers.emplace_back(exercise.id, old);
+  progress.records.erase(found);
+  save_progress(room.progress, progress);
+  return old;
+}
+
+int reset(const Classroom& room, const std::string& id) {
+  const auto old = open_again(room, find_exercise(room, id));
+  if (!old) {
     say("There was nothing to reset.\n");
     return as_expected;
   }
-  const std::string old = found->second.answer;
-  if (!old.empty()) progress.old_answers.emplace_back(id, old);
-  progress.records.erase(found);
-  save_progress(room.progress, progress);
   say(id + " is open again.\n");
-  if (!old.empty())
-    say("Your old answer is kept in " + printable_name(room.progress) + ":\n  " + printable(old) + "\n");
+  if (!old->empty())
+    say("Your old answer is kept in " + printable_name(room.progress) + ":\n  " + printable(*old) + "\n");
   return as_expected;
 }
 

@@ -5,6 +5,7 @@
 #include <lessons/exercises/exercise.hpp>
 #include <lessons/exercises/opinion.hpp>
 #include <lessons/exercises/student_files.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -45,6 +46,9 @@ struct Hint {
 Hint next_hint(const Classroom& room, const Exercise& exercise);
 /// Returns whether a student may see the solution: after success, or on giving up, which is kept.
 bool solution_is_due(const Classroom& room, const Exercise& exercise, bool give_up, Progress& progress);
+/// Opens an exercise again, and keeps the old answer in the progress file. Returns that answer, or nothing if
+/// nothing was done of the exercise.
+std::optional<std::string> open_again(const Classroom& room, const Exercise& exercise);
 
 // The subcommands. Each returns the exit code.
 

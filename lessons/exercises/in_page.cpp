@@ -10,10 +10,12 @@
 #include <lessons/exercises/show.hpp>
 #include <lessons/exercises/terms.hpp>
 #include <lessons/exercises/units.hpp>
+#include <lessons/exercises/working.hpp>
 #include <lessons/page/prose.hpp>
 #include <lessons/page/render.hpp>
 #include <lessons/page/run_lesson.hpp>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 namespace rederive::classroom {
 using namespace language;
@@ -72,6 +74,10 @@ ExerciseForm form_of(const Exercise& exercise, const Progress& progress, bool op
                     .prompt = fmt::format("Your answer, {}. It looks like {} (for a different question).",
                                           form_in_words(exercise), as_code(default_example(exercise))),
                     .is_open = open};
+  form.has_working =
+      exercise.asks_for_formula() || (exercise.kind == Kind::number && exercise.answer.function.empty());
+  for (const auto& name : exercise.asks_for_formula() ? exercise.symbols : std::vector<std::string>())
+    if (const auto* symbol = exercise.language().find(name)) form.symbols.emplace_back(name, symbol->latex);
   for (const auto& option : exercise.options) {
     const char letter = static_cast<char>('a' + form.choices.size());
     form.choices.emplace_back(std::string(1, letter),
@@ -83,7 +89,20 @@ ExerciseForm form_of(const Exercise& exercise, const Progress& progress, bool op
   return form;
 }
 
-std::string script() { return read_whole(exercises_folder() / "exercise.js"); }
+/// Returns the script of the forms, with what it knows of the page.
+std::string script(const Classroom& room, const ServedBy& desk) {
+  nlohmann::json ids = nlohmann::json::array();
+  for (const auto& exercise : room.exercises) ids.push_back(exercise.id);
+  const nlohmann::json site{{"paper", room.course.paper.title},
+                            {"exercises", ids},
+                            {"judge", desk.is_module},
+                            {"mathlive", desk.has_mathlive}};
+  std::string text = "const site = " + site.dump() + ";\n";
+  for (const char* file :
+       {"desk_of_server", "desk_of_module", "formula_field", "report_to_school", "exercise"})
+    text += read_whole(exercises_folder() / (std::string(file) + ".js"));
+  return text;
+}
 
 /// Returns what is read while a student types, by a process of its own.
 std::string read_back(const Exercise& exercise, const std::string& text) {
@@ -93,13 +112,30 @@ std::string read_back(const Exercise& exercise, const std::string& text) {
         return in_html(
             exercise.paper(),
             {Paragraph{"Read as: " + as_code(parse_quantity(without_name(exercise, text)).read_as)}});
-      return "Read as: " + formula_html(read_answer(exercise, text), exercise.language());
+      const Relation read = read_answer(exercise, text);
+      return fmt::format("Read as: <span data-plain=\"{}\" data-latex=\"{}\">{}</span>",
+                         escaped(print_statement(read, Notation::plain, {})),
+                         escaped(print_statement(read, Notation::latex, exercise.language())),
+                         formula_html(read, exercise.language()));
     } catch (const SyntaxError& error) {
       return in_html(exercise.paper(), {Findings{"", {lines_of(explain(error, text) + "\n")}}});
     }
   };
   const Bounded outcome = run_bounded(work, 5, 480);
   return outcome.result ? *outcome.result : "This could not be read: " + escaped(outcome.why) + ".";
+}
+
+/// Returns the lines of a working with their numbers, without those that are empty or comments.
+std::vector<std::pair<int, std::string>> numbered_lines(const std::string& text) {
+  std::vector<std::pair<int, std::string>> lines;
+  std::istringstream in(text);
+  int number = 0;
+  for (std::string line; std::getline(in, line);) {
+    ++number;
+    line = trimmed(line);
+    if (!line.empty() && line[0] != '#') lines.emplace_back(number, line);
+  }
+  return lines;
 }
 
 std::string next_sentence(const Classroom& room, const Progress& progress) {
@@ -178,19 +214,21 @@ Findings verdict_findings(const Opinion& opinion, const Symbols& symbols) {
   return said;
 }
 
-std::string forms_json(const Classroom& room) {
-  const Progress progress = load_progress(room.progress);
+std::string forms_json(const Classroom& room, const ServedBy& desk) {
+  const Progress progress = desk.is_module ? Progress() : load_progress(room.progress);
   nlohmann::json forms = nlohmann::json::array();
   for (const auto& exercise : room.exercises)
     forms.push_back({{"id", exercise.id},
                      {"lesson", exercise.lesson},
                      {"html", in_html(exercise.paper(), {form_of(exercise, progress, true)})}});
-  return nlohmann::json{{"forms", forms}, {"script", script()}}.dump();
+  return nlohmann::json{{"forms", forms}, {"script", script(room, desk)}}.dump();
 }
 
-std::string page_of_exercises(const Classroom& room, const std::map<std::string, std::string>& titles) {
-  const Progress progress = load_progress(room.progress);
-  std::vector<Passage> passages{Paragraph{next_sentence(room, progress)}};
+std::string page_of_exercises(const Classroom& room, const std::map<std::string, std::string>& titles,
+                              const ServedBy& desk) {
+  const Progress progress = desk.is_module ? Progress() : load_progress(room.progress);
+  std::vector<Passage> passages{desk.is_module ? Paragraph{"[All lessons](index.html)"}
+                                               : Paragraph{next_sentence(room, progress)}};
   int number = 0;
   for (const auto& [lesson, title] : titles) {
     passages.push_back(Heading{"[" + literal(title) + "](" + lesson + ".html)"});
@@ -198,10 +236,11 @@ std::string page_of_exercises(const Classroom& room, const std::map<std::string,
     for (const auto& exercise : room.exercises)
       if (exercise.lesson == number) passages.push_back(form_of(exercise, progress, false));
   }
+  if (desk.is_module) passages.push_back(Heading{"Your answers", 0, "answers"});
   if (room.course.lessons.has_workbench)
     passages.push_back(Paragraph{"[The workbench](workbench.html): the block in motion"});
   return rendered({"The lessons and their exercises"}, passages,
-                  {.paper = room.course.paper, .format = Format::html, .script = script()});
+                  {.paper = room.course.paper, .format = Format::html, .script = script(room, desk)});
 }
 
 std::string page_of_statements(const Classroom& room) {
@@ -251,17 +290,31 @@ Reply reply(const Classroom& room, const Exercise& exercise, const std::string& 
   const auto html = [&](const std::vector<Passage>& passages) { return in_html(exercise.paper(), passages); };
   std::string text;
   std::optional<Opinion> opinion;
+  std::string given = answer;
+  const Exercise* about = &exercise;
+  std::optional<Working> working;
   if (what == "check") opinion = judge_bounded(exercise, answer);
+  if (what == "working") {
+    working = judge_working(exercise, numbered_lines(answer));
+    opinion = working->opinion;
+    given = working->answer;
+    about = &working->about;
+  }
   if (what == "read")
     text = answer.empty() ? "" : read_back(exercise, answer);
   else if (opinion)
-    text = html({checked(room, exercise, *opinion, answer, progress)});
+    text = html({checked(room, *about, *opinion, given, progress)});
+  else if (what == "form")
+    text = html({form_of(exercise, progress, true)});
+  else if (what == "reset")
+    (void)open_again(room, exercise);
   else if (what == "hint")
     text = html({hinted(room, exercise)});
   else if (what == "solution" || what == "give_up")
     text = html(solved(room, exercise, what == "give_up", progress));
   else
-    throw BadInput("the button must be check, hint, solution, give_up or read, not '" + what + "'");
+    throw BadInput("the button must be check, working, hint, solution, give_up, reset, read or form, not '" +
+                   what + "'");
   if (what != "read") progress = load_progress(room.progress);
   return {text, "(" + standing(record_of(progress, exercise)) + ")", opinion};
 }

@@ -20,12 +20,19 @@ std::vector<std::string> sentences_of(const std::string& text, const language::S
 /// Returns the opinion of the judge on an answer.
 page::Findings verdict_findings(const Opinion& opinion, const language::Symbols& symbols);
 
+/// What answers the buttons of a page.
+struct ServedBy {
+  bool is_module = false;  ///< a module of WebAssembly in the page; false: `exercises serve`
+  bool has_mathlive =
+      false;  ///< whether formulas are typed into a field of MathLive, which lies beside the page
+};
 /// Returns the forms of all exercises, and the script that serves them, as the option --forms of a lesson
 /// reads them.
-std::string forms_json(const Classroom& room);
+std::string forms_json(const Classroom& room, const ServedBy& desk = {});
 /// Returns the page of all exercises, lesson by lesson, with the student's progress. `titles` maps the
 /// programs of the lessons, in order, to their titles.
-std::string page_of_exercises(const Classroom& room, const std::map<std::string, std::string>& titles);
+std::string page_of_exercises(const Classroom& room, const std::map<std::string, std::string>& titles,
+                              const ServedBy& desk = {});
 /// Returns the page with the statements of all exercises, which says how to answer them.
 std::string page_of_statements(const Classroom& room);
 /// Writes index.html, which lists the lessons, and exercises.html, which has the statements of the exercises,
@@ -37,8 +44,8 @@ struct Reply {
   std::string says, standing;
   std::optional<Opinion> opinion;
 };
-/// Returns the reply to a button: read (nothing is judged), check, hint, solution, give_up. Throws BadInput
-/// for any other.
+/// Returns the reply to a button: read (nothing is judged), form (the form itself, in the variant of the
+/// room), check, working, hint, solution, give_up, reset. Throws BadInput for any other.
 Reply reply(const Classroom& room, const Exercise& exercise, const std::string& what,
             const std::string& answer);
 

@@ -10,6 +10,7 @@
 #include <lessons/exercises/http_server.hpp>
 #include <lessons/exercises/in_page.hpp>
 #include <lessons/exercises/serve.hpp>
+#include <lessons/exercises/show.hpp>
 #include <lessons/page/render.hpp>
 #include <lessons/page/run_lesson.hpp>
 #include <nlohmann/json.hpp>
@@ -53,8 +54,10 @@ std::string reply_to_button(const Classroom& room, const std::string& place, con
   const std::string button = slash == std::string::npos ? "" : place.substr(slash + 1);
   const std::string answer = nlohmann::json::parse(body).at("answer");
   const Reply told = reply(room, exercise, button, trimmed(answer));
-  return nlohmann::json{{"says", told.says}, {"standing", told.standing}}.dump(
-      -1, ' ', false, nlohmann::json::error_handler_t::replace);
+  return Json{{"says", told.says},
+              {"standing", told.standing},
+              {"opinion", told.opinion ? report_json(exercise, *told.opinion) : Json()}}
+      .dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
 /// Returns the response to a request that the guard accepted; its path begins with `root`.

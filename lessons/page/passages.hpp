@@ -82,6 +82,9 @@ struct ExerciseForm {
   std::vector<std::pair<std::string, std::string>> choices = {};
   std::string prompt = {};  ///< a sentence: what is to be typed
   bool is_open = false;
+  bool has_working = false;  ///< whether a working, line by line, may be handed in, too
+  /// The names and the LaTeX of the symbols of an answer that is a formula.
+  std::vector<std::pair<std::string, std::string>> symbols = {};
 };
 
 struct Passage : std::variant<Heading, Paragraph, Formula, Findings, Table, Figure, Commands, BulletList,

@@ -117,6 +117,8 @@ std::string workbench_element(const std::string& options);
 std::string latex_escaped(std::string_view text);
 /// Returns a text for HTML, with & < > " escaped.
 std::string escaped(const std::string& text);
+/// Returns bytes as text, as RFC 4648 says.
+std::string base64(const std::string& bytes);
 /// The exit status of a command of the shell, and what it writes to standard output.
 struct Said {
   int status;

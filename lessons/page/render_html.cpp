@@ -5,6 +5,7 @@
 #include <derivations/program/files.hpp>
 #include <lessons/page/prose.hpp>
 #include <lessons/page/render.hpp>
+#include <nlohmann/json.hpp>
 #include <regex>
 #include <stdexcept>
 #include <utility>
@@ -17,19 +18,6 @@ using namespace program;
 using namespace paper;
 namespace {
 
-std::string base64(const std::string& bytes) {
-  static constexpr char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    unsigned block = 0;
-    for (std::size_t k = 0; k < 3; ++k)
-      block = block << 8 | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0u);
-    for (std::size_t k = 0; k < 4; ++k)
-      text += i + k > bytes.size() ? '=' : digits[block >> (18 - 6 * k) & 63];
-  }
-  return text;
-}
-
 class HtmlRenderer : public Renderer {
  public:
   using Renderer::Renderer;
@@ -38,12 +26,13 @@ class HtmlRenderer : public Renderer {
     const std::string about = joined(front.about, "", [this](const auto& line) {
       return "<p><b>" + line.first + ":</b> " + flat(line.second) + "</p>\n";
     });
-    return page_head(front) + navigation() + "<h1>" + escaped(front.title) + "</h1>\n" +
+    return page_head(front) + "<main>\n" + navigation() + "<h1>" + escaped(front.title) + "</h1>\n" +
            (about.empty() ? "" : "<div class=\"about\">\n" + about + "</div>\n");
   }
 
   std::string end() override {
     return (setting_.lesson == 0 ? "" : place_for_exercises({}, mentioned_.empty())) + navigation() +
+           "</main>\n" +
            (setting_.script.empty() ? "" : "<script type=\"module\">\n" + setting_.script + "</script>\n") +
            "</body>\n</html>\n";
   }
@@ -230,9 +219,23 @@ class HtmlRenderer : public Renderer {
         "<details class=\"exercise\" id=\"{0}\" data-id=\"{0}\"{1}>\n<summary>Exercise: {2} "
         "<span class=\"standing\">({3})</span></summary>\n",
         part.id, part.is_open ? " open" : "", escaped(part.title), part.standing);
-    return head + passages(part.statement) + "<form>\n" + field(part) +
+    const std::string keys = joined(part.symbols, ",", [](const auto& symbol) {
+      return nlohmann::json{{"name", symbol.first}, {"latex", symbol.second}}.dump();
+    });
+    return head + passages(part.statement) + "<form data-symbols=\"" + escaped("[" + keys + "]") + "\">\n" +
+           field(part) +
            render(Buttons{"", {{"check", "Check"}, {"hint", "Hint"}, {"solution", "Solution"}}}) +
+           (part.has_working ? working_field(part.id) : "") +
            "<div class=\"reply\" role=\"status\"></div>\n</form>\n</details>\n";
+  }
+
+  static std::string working_field(const std::string& id) {
+    return fmt::format(
+        "<details class=\"working\"><summary>Your working, line by line</summary>\n<label "
+        "for=\"working-{0}\">Each line follows from the lines before. The last one is the answer.</label>\n"
+        "<textarea id=\"working-{0}\" name=\"working\" rows=\"5\" autocapitalize=\"off\" "
+        "spellcheck=\"false\"></textarea>\n<button value=\"working\">Check the working</button></details>\n",
+        id);
   }
 
   /// Returns the radio buttons of the choices, or a line to type into.
@@ -269,6 +272,19 @@ std::string escaped(const std::string& text) {
     const auto found = marks.find(c);
     return found == marks.end() ? std::string(1, c) : found->second;
   });
+}
+
+std::string base64(const std::string& bytes) {
+  static constexpr char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string text;
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    unsigned block = 0;
+    for (std::size_t k = 0; k < 3; ++k)
+      block = block << 8 | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0u);
+    for (std::size_t k = 0; k < 4; ++k)
+      text += i + k > bytes.size() ? '=' : digits[block >> (18 - 6 * k) & 63];
+  }
+  return text;
 }
 
 std::string math_font_style() {

@@ -13,9 +13,9 @@
 #include <lessons/page/run_lesson.hpp>
 #include <lessons/papers/new_paper.hpp>
 #include <lessons/papers/paper_folder.hpp>
-#include <lessons/papers/site.hpp>
 #include <lessons/papers/solve.hpp>
 #include <lessons/papers/test_paper.hpp>
+#include <lessons/site/site.hpp>
 #include <optional>
 
 using namespace rederive;
@@ -114,7 +114,8 @@ int run(const fs::path& path, const std::string& command, int argc, char** argv)
   if (is_classroom)
     return classroom::run_exercises([&]() -> const classroom::Course& { return folder().course(); },
                                     "the paper", argc, argv);
-  if (command == "site") return run_site(paper, argc, argv);
+  if (command == "site")
+    return site::run_site([&]() -> const classroom::Course& { return folder().course(); }, false, argc, argv);
   if (command == "watch") return run_watch(path, argc, argv);
   if (command == "test") return run_test(paper, argc, argv);
   return ledger::run_ledger([&] { return folder().paper(); }, argc, argv,
