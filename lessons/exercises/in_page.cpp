@@ -15,7 +15,6 @@
 #include <lessons/page/render.hpp>
 #include <lessons/page/run_lesson.hpp>
 #include <nlohmann/json.hpp>
-#include <sstream>
 
 namespace rederive::classroom {
 using namespace language;
@@ -123,19 +122,6 @@ std::string read_back(const Exercise& exercise, const std::string& text) {
   };
   const Bounded outcome = run_bounded(work, 5, 480);
   return outcome.result ? *outcome.result : "This could not be read: " + escaped(outcome.why) + ".";
-}
-
-/// Returns the lines of a working with their numbers, without those that are empty or comments.
-std::vector<std::pair<int, std::string>> numbered_lines(const std::string& text) {
-  std::vector<std::pair<int, std::string>> lines;
-  std::istringstream in(text);
-  int number = 0;
-  for (std::string line; std::getline(in, line);) {
-    ++number;
-    line = trimmed(line);
-    if (!line.empty() && line[0] != '#') lines.emplace_back(number, line);
-  }
-  return lines;
 }
 
 std::string next_sentence(const Classroom& room, const Progress& progress) {
@@ -291,19 +277,18 @@ Reply reply(const Classroom& room, const Exercise& exercise, const std::string& 
   std::string text;
   std::optional<Opinion> opinion;
   std::string given = answer;
-  const Exercise* about = &exercise;
   std::optional<Working> working;
   if (what == "check") opinion = judge_bounded(exercise, answer);
   if (what == "working") {
-    working = judge_working(exercise, numbered_lines(answer));
+    working = judge_working(exercise, numbered_lines(answer), bounded);
     opinion = working->opinion;
     given = working->answer;
-    about = &working->about;
   }
   if (what == "read")
     text = answer.empty() ? "" : read_back(exercise, answer);
   else if (opinion)
-    text = html({checked(room, *about, *opinion, given, progress)});
+    text = html({checked(room, exercise, *opinion, given, progress)}) +
+           (working ? html({Findings{"", {lines_of(working_text(*working))}}}) : "");
   else if (what == "form")
     text = html({form_of(exercise, progress, true)});
   else if (what == "reset")
