@@ -3,6 +3,7 @@
 #include <derivations/identity/translator.hpp>
 #include <derivations/language/functions.hpp>
 #include <derivations/language/print.hpp>
+#include <derivations/numbers/interval.hpp>
 #include <functional>
 
 namespace rederive::decide {
@@ -110,16 +111,48 @@ void replace(Problem& problem, const std::string& name, const Tree& value) {
   problem.values[name] = value;
 }
 
+/// Returns whether a number, a symbol or a whole power of one has a value that is nowhere 0.
+bool is_never_zero(const Tree& tree, const Symbols& symbols) {
+  if (tree->kind == Node::Kind::number) return !cln::zerop(exact(tree->text));
+  if (tree->kind == Node::Kind::power)
+    return tree->children[1]->text.find_first_not_of("0123456789") == std::string::npos &&
+           tree->children[1]->kind == Node::Kind::number && is_never_zero(tree->children[0], symbols);
+  const Symbol* symbol = is_symbol(tree) ? symbols.find(tree->text) : nullptr;
+  return symbol != nullptr && !parse_range(symbol->range).contains_zero();
+}
+
+/// Returns the part u of u^2, |u|, -u or 2*u/m that is 0 where, and only where, the whole is; nullptr if
+/// there is none.
+Tree vanishing_part(const Tree& tree, const Symbols& symbols) {
+  const bool is_power = tree->kind == Node::Kind::power && tree->children[1]->kind == Node::Kind::number;
+  if (is_power && cln::plusp(exact(tree->children[1]->text))) return tree->children[0];
+  if (tree->kind == Node::Kind::negative || (tree->kind == Node::Kind::call && tree->text == "fabs"))
+    return tree->children[0];
+  if (tree->kind != Node::Kind::product) return nullptr;
+  Tree part;
+  for (std::size_t k = 0; k < tree->children.size(); ++k) {
+    if (is_never_zero(tree->children[k], symbols)) continue;
+    if (part != nullptr || tree->inverse[k]) return nullptr;
+    part = tree->children[k];
+  }
+  return part;
+}
+
+/// Returns whether a side is the cosh of something, which is 1 only at 0.
+bool is_cosh(const Tree& side) { return side->kind == Node::Kind::call && side->text == "cosh"; }
+
 }  // namespace
 
 Relation with_inversions(const Relation& relation, const Symbols& symbols) {
   if (relation.operators.size() != 1) return relation;
   for (const int side : {0, 1}) {
     const Tree &of = relation.sides[side], &other = relation.sides[1 - side];
-    const bool is_power = of->kind == Node::Kind::power && of->children[1]->kind == Node::Kind::number;
-    if (is_power && is_same(other, zero()) && relation.operators[0] == "=" &&
-        cln::plusp(exact(of->children[1]->text)))
-      return with_inversions({{of->children[0], other}, {"="}}, symbols);
+    const bool is_equation = relation.operators[0] == "=";
+    if (is_equation && is_same(other, zero()))
+      if (const Tree part = vanishing_part(of, symbols))
+        return with_inversions({{part, other}, {"="}}, symbols);
+    if (is_equation && is_cosh(of) && other->kind == Node::Kind::number && exact(other->text) == 1)
+      return with_inversions({{of->children[0], zero()}, {"="}}, symbols);
     if (!is_monotone(of, symbols)) continue;
     const MonotonePiece& f = monotone_piece(of->text);
     Relation result = relation;

@@ -43,7 +43,8 @@ language::Tree difference(const language::Tree& a, const language::Tree& b);
 Problem with_values(Problem problem, const std::vector<language::Given>& given);
 
 /// Returns f(u) = v as u = g(v), if g inverts the monotone f and v is among the values of f: x = asin(u) says
-/// sin(x) = u for -pi/2 <= x <= pi/2. Likewise for inequalities; f(u) = f(v) becomes u = v, u^2 = 0 u = 0.
+/// sin(x) = u for -pi/2 <= x <= pi/2. Likewise for inequalities; f(u) = f(v) becomes u = v, and
+/// u^2 = 0, |u| = 0, -2*u = 0 and cosh(u) = 1 become u = 0.
 language::Relation with_inversions(const language::Relation& relation, const language::Symbols& symbols);
 
 }  // namespace rederive::decide

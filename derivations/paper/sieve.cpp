@@ -203,6 +203,12 @@ bool Sieve::passes(const Relation& candidate) const {
   });
 }
 
+bool Sieve::has_value(const Relation& candidate) const {
+  return std::any_of(points_.begin(), points_.end(), [&](const Sample& sample) {
+    return std::isfinite(residual(candidate, sample.at, sample.right).first);
+  });
+}
+
 std::optional<double> Sieve::solved(const Relation& candidate) const {
   if (points_.empty()) return {};
   RoughPoint at = points_[0].at;

@@ -30,6 +30,8 @@ class Sieve {
   bool is_empty() const { return points_.empty(); }
   /// Returns whether a candidate agrees with the right answer at all points, to nine digits.
   bool passes(const language::Relation& candidate) const;
+  /// Returns whether a candidate has a value at one of the points at least.
+  bool has_value(const language::Relation& candidate) const;
   /// Returns the number for the symbol `unknown` with which it does, if the answer is linear in that symbol.
   std::optional<double> solved(const language::Relation& candidate) const;
   static constexpr const char* unknown = "?";

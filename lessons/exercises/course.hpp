@@ -45,6 +45,10 @@ struct Course {
   /// Derivations that exercises name and that the paper does not contain.
   paper::Derivations derivations = {};
   std::vector<NumericFunction> functions = {};
+  /// Sizes of symbols, without sign, such as the things have that the paper is about; and relations that hold
+  /// for such things. Points at which a student checks an answer by hand have them where they can.
+  std::map<std::string, std::vector<std::string>> usual_sizes = {};
+  std::vector<std::string> usually = {};
 };
 
 /// Returns the function of that name. Throws std::out_of_range, with the name, if there is none.

@@ -123,8 +123,12 @@ Opinion judge_formula(const Prepared& prepared, const Relation& read) {
   const bool surely_different = mine && prepared.signature && !alike(*mine, *prepared.signature) &&
                                 (read.operators.empty() || !prepared.exercise.pivot.empty());
   const Proof proof = proof_of(prepared, read, prepared.answer.relation);
+  const bool has_value = read.operators.empty() || !prepared.sieve || prepared.sieve->is_empty() ||
+                         prepared.sieve->has_value(read);  // log(x) = 1 does not say that x = -1
   Opinion opinion;
-  if (is_right(proof.verdict))
+  if (is_right(proof.verdict) && !has_value)
+    opinion = undecided("where the right equation holds, yours has no value.");
+  else if (is_right(proof.verdict))
     opinion = right_answer();
   else if (proof.verdict == Verdict::undecided && !surely_different)
     opinion = undecided(proof.reason);

@@ -159,8 +159,9 @@ Opinion why_wrong(const Prepared& prepared, const Relation& read, const std::opt
     if (const auto opinion = by_roads(prepared, read, *mine)) return *opinion;
   const bool is_alike = mine && prepared.signature && alike(*mine, *prepared.signature);
   const bool differs = mine && prepared.signature && !is_alike;  // beyond doubt
+  const bool may_agree = !differs || (!read.operators.empty() && prepared.exercise.pivot.empty());
   const bool agrees =
-      !differs && prepared.sieve && !prepared.sieve->is_empty() && prepared.sieve->passes(read);
+      may_agree && prepared.sieve && !prepared.sieve->is_empty() && prepared.sieve->passes(read);
   const auto repair = prepared.sieve && !agrees ? repair_of(prepared, read) : std::nullopt;
   if (const auto why = wrong_dimension(prepared, read)) {
     const bool has_part = repair && repair->part != nullptr && repair->part->kind != Node::Kind::number;
@@ -197,6 +198,26 @@ cln::cl_RA small_number(const Symbol& symbol, int k) {
   const cln::cl_RA size = is_open ? cln::cl_RA(static_cast<int>(low) + 1 + k % 9)
                                   : cln::cl_RA(first + k % std::max(count, 1)) / 10;
   return is_negative ? -size : size;
+}
+
+/// Returns the k-th usual size of a symbol, with the sign of its range; nothing if it has none in the range.
+std::optional<cln::cl_RA> usual_number(const Course& course, const Symbol& symbol, int k) {
+  const auto found = course.usual_sizes.find(symbol.name);
+  if (found == course.usual_sizes.end()) return {};
+  const cln::cl_RA size = exact(found->second[static_cast<std::size_t>(k) % found->second.size()]);
+  const cln::cl_RA value = parse_range(symbol.range).is_nonpositive() ? -size : size;
+  return lies_in(symbol, cln::double_approx(value)) ? std::optional(value) : std::nullopt;
+}
+
+/// Returns what usually holds between symbols that have values.
+std::vector<Relation> usual_relations(const Prepared& prepared, const std::set<std::string>& names) {
+  std::vector<Relation> result;
+  for (const auto& text : prepared.exercise.course->usually) {
+    const Relation relation = parse_relation(text, prepared.symbols);
+    const auto used = names_of(relation);
+    if (std::includes(names.begin(), names.end(), used.begin(), used.end())) result.push_back(relation);
+  }
+  return result;
 }
 
 /// Returns the value of an expression, or the one that an equation gives to the pivot; 1/0 if the equation is
@@ -251,14 +272,21 @@ std::optional<Witness> by_hand(const Prepared& prepared, const Relation& read) {
     names.merge(used);
   }
   const bool is_equation = !read.operators.empty();
+  std::set<std::string> valued = names;
+  valued.erase(pivot);
+  std::vector<Relation> usual = usual_relations(prepared, valued);
+  usual.insert(usual.end(), assumed.begin(), assumed.end());
   for (int attempt = 0, tried = 0; attempt < 300 && tried < 40; ++attempt) {
     Point point;
     int k = 3 * attempt;
-    for (const auto& name : names)
-      if (name != pivot)
-        point.insert_or_assign(
-            name, Number(tree_of({small_number(*prepared.symbols.find(name), k += 2 + attempt % 3)})));
-    if (!hold_at(assumed, point)) continue;
+    const bool is_usual = attempt < 150 && tried < 20;
+    for (const auto& name : valued) {
+      const Symbol& symbol = *prepared.symbols.find(name);
+      k += 2 + attempt % 3;
+      const auto size = is_usual ? usual_number(*prepared.exercise.course, symbol, k) : std::nullopt;
+      point.insert_or_assign(name, Number(tree_of({size.value_or(small_number(symbol, k))})));
+    }
+    if (!hold_at(is_usual ? usual : assumed, point)) continue;
     ++tried;
     const bool solves = is_equation && pivot.empty();
     if (solves && !names.empty()) {

@@ -64,6 +64,33 @@ Derivation half_sine() {
 
 namespace {
 
+/// The sizes of furniture, and of the ground motions under which it rocks.
+const std::map<std::string, std::vector<std::string>> sizes_of_furniture{
+    {"alpha", {"0.3", "0.4", "0.2", "0.5"}},
+    {"theta", {"0.1", "0.2", "0.3", "0.1"}},
+    {"theta_0", {"0.1", "0.2", "0.3", "0.1"}},
+    {"theta_ex", {"0.1", "0.2", "0.3", "0.1"}},
+    {"theta_i", {"0.1", "0.2", "0.3", "0.1"}},
+    {"thetadot", {"0.1", "0.5", "0.2", "0.4"}},
+    {"thetadot_0", {"0.1", "0.5", "0.2", "0.4"}},
+    {"thetadot_ex", {"0.1", "0.5", "0.2", "0.4"}},
+    {"thetadot_minus", {"0.5", "0.1", "0.2", "0.4"}},
+    {"thetadot_plus", {"0.4", "0.1", "0.2", "0.5"}},
+    {"R", {"1", "2", "0.5", "1.5"}},
+    {"b", {"0.2", "0.3", "0.4", "0.5"}},
+    {"h", {"1", "0.5", "2", "0.8"}},
+    {"m", {"100", "50", "200", "80"}},
+    {"g", {"10"}},
+    {"p", {"2", "3", "4", "2.5"}},
+    {"e", {"0.9", "0.8", "0.7", "0.6"}},
+    {"lambda", {"2", "3", "1.5", "4"}},
+    {"a_p", {"4", "5", "3", "2"}},
+    {"u_gdot", {"1", "0.5", "0.2", "2"}},
+    {"u_gddot", {"2", "1", "3", "4"}},
+    {"omega_p", {"4", "5", "6", "8"}},
+    {"psi", {"0.2", "0.5", "0.3", "1"}},
+    {"t", {"0.5", "0.2", "1", "0.1"}}};
+
 Experiment experiment_of(const Arguments& arguments) {
   Experiment experiment{.omega = arguments.at("omega")};
   if (arguments.contains("alpha")) experiment.alpha = arguments.at("alpha");
@@ -132,14 +159,19 @@ const classroom::Course& course() {
         .progress = program::state_folder() / "exercises.txt",
         .definitions = definitions,
         .derivations = {{"mass_at_the_top", mass_at_the_top}, {"half_sine", half_sine}},
-        .functions = {
-            {"amplitude_without_impact",
-             {omega},
-             value_without_impact,
-             [](const Arguments& given, Page& page) { explain(value_without_impact(given), given, page); }},
-            {"least_amplitude", {omega, slenderness}, least_value, [](const Arguments& given, Page& page) {
-               explain(least_value(given), given, page);
-             }}}};
+        .functions = {{"amplitude_without_impact",
+                       {omega},
+                       value_without_impact,
+                       [](const Arguments& given, Page& page) {
+                         explain(value_without_impact(given), given, page);
+                       }},
+                      {"least_amplitude",
+                       {omega, slenderness},
+                       least_value,
+                       [](const Arguments& given, Page& page) { explain(least_value(given), given, page); }}},
+        .usual_sizes = sizes_of_furniture,
+        .usually = {"abs(theta) < alpha", "abs(theta_0) < alpha", "abs(theta_ex) < alpha",
+                    "abs(theta_i) < alpha", "b < h"}};
   }();
   return all;
 }

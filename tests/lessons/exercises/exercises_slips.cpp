@@ -117,6 +117,22 @@ TEST_CASE("the last line of every solution is judged right, and numbers are put 
   }
 }
 
+TEST_CASE("a point to try by hand is one of a piece of furniture") {
+  for (const Prepared& one : all_prepared()) {
+    if (one.exercise.example.empty() || !one.exercise.asks_for_formula()) continue;
+    const Opinion opinion = judge_answer(one, one.exercise.example);
+    if (!opinion.witness) continue;
+    std::map<std::string, double> at;
+    for (const auto& [name, value] : opinion.witness->at) at[name] = std::stod(value);
+    CAPTURE(one.exercise.id);
+    if (!at.contains("alpha")) continue;
+    CHECK(at["alpha"] <= 0.5);
+    for (const char* angle : {"theta", "theta_0", "theta_ex", "theta_i"})
+      if (at.contains(angle)) CHECK(std::abs(at[angle]) < at["alpha"]);
+    if (at.contains("R")) CHECK(at["R"] <= 2);
+  }
+}
+
 TEST_CASE("a point to try by hand has numbers of one or two digits, and results of six") {
   const Opinion opinion = judged("height-of-centre", "R*(cos(alpha - theta/2)^3 - cos(alpha))");
   REQUIRE(opinion.witness);
