@@ -138,6 +138,6 @@ TEST_CASE("a point to try by hand has numbers of one or two digits, and results 
   REQUIRE(opinion.witness);
   for (const auto& [name, value] : opinion.witness->at)
     CHECK(std::count_if(value.begin(), value.end(), [](char c) { return c >= '1' && c <= '9'; }) <= 2);
-  CHECK(opinion.witness->printed.size() <= 9);
+  CHECK(opinion.witness->printed.size() <= 10);  // such as 0.00123456
   CHECK(opinion.witness->printed != opinion.witness->derived);
 }
