@@ -23,6 +23,8 @@ Proof. intros K E; split; intro H; nra. Qed.
 Lemma le_by k a b c d : 0 < k -> a - b = k * (c - d) -> (a <= b <-> c <= d).
 Proof. intros K E; split; intro H; nra. Qed.
 (* A divisor of which a multiple is known not to be 0. *)
+Lemma exp_minus_one_nonzero x : x <> 0 -> exp x - 1 <> 0.
+Proof. intros N E; apply N, exp_inv; rewrite exp_0; lra. Qed.
 Lemma nonzero_by k a b : a <> 0 -> a = k * b -> b <> 0.
 Proof. intros A E B; apply A; rewrite E, B; ring. Qed.
 
@@ -80,6 +82,7 @@ with nz_by_parts :=
   | |- / _ <> 0 => apply Rinv_neq_0_compat; nz
   | |- _ ^ _ <> 0 => apply pow_nonzero; nz
   | |- - _ <> 0 => apply Ropp_neq_0_compat; nz
+  | |- exp ?x - 1 <> 0 => apply exp_minus_one_nonzero; subst x; nz
   | |- _ => nz_by_sign
   end
 with nz_by_sign :=

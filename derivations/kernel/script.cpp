@@ -23,6 +23,14 @@ bool has_symbols_only(const Ring& ring, const Polynomial& p) {
                              [&](int k) { return GiNaC::is_a<GiNaC::symbol>(ring.generators()[k].meaning); });
 }
 
+/// Returns whether a product or a power has a factor that is a sum: 2*a*(a - b).
+bool multiplies_sum(const Tree& tree) {
+  if (tree->kind == Node::Kind::power) return tree->children[0]->kind == Node::Kind::sum;
+  return tree->kind == Node::Kind::product && std::ranges::any_of(tree->children, [](const Tree& child) {
+           return child->kind == Node::Kind::sum || multiplies_sum(child);
+         });
+}
+
 /// Returns the polynomial with cos² = 1 - sin².
 Polynomial in_sines(const Ring& ring, const Polynomial& p) {
   Polynomial result = p;
@@ -202,7 +210,7 @@ std::string Script::identity() const {
 }
 
 std::string Script::meets(const Tree& need, Signs signs) {
-  if (need->kind != Node::Kind::sum) return "defined";
+  if (need->kind != Node::Kind::sum && !(signs == Signs::nonzero() && multiplies_sum(need))) return "defined";
   const Fraction f = value(need);
   Polynomial rest = f.numerator;  // without what is assumed not to be 0
   Fraction known = 1;
@@ -212,7 +220,11 @@ std::string Script::meets(const Tree& need, Signs signs) {
     if (is_same(tree, need)) return "defined";
     const Fraction one = value(tree), ratio = known_.ring.normal(one / f);
     if (ratio.numerator.terms() == 1 && ratio.denominator.terms() == 1) {
-      if (signs == Signs::nonzero()) return "(multiple (" + text_of(ratio) + ") (" + identity() + "))";
+      if (signs == Signs::nonzero() && a.operators[0] == "!=")
+        return "(multiple (" + text_of(ratio) + ") (" + identity() + "))";
+      if (signs == Signs::nonzero())
+        return "(apply (nonzero_by (" + text_of(ratio) + ") (" + coq_text(tree) + ")); [ nz | " + identity() +
+               " ])";
       if (ratio == Fraction(1)) return "(as_known (" + identity() + "))";
     }
     if (a.operators[0] == "!=" && !one.numerator.is_constant())
