@@ -14,8 +14,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-const std::set<std::string> engine{"language", "numbers", "identity", "sign", "decide"};
-
 /// The folders that are about any paper.
 const std::set<std::string> knows_no_paper{
     "language",     "numbers",           "identity",       "sign",          "decide",
@@ -160,8 +158,6 @@ void collect(const std::string& file, std::set<std::string>& reached) {
 
 std::string text_of(const std::string& file) { return read_file(fs::path(REDERIVE_SOURCE) / file); }
 
-long lines_of(const std::string& file) { return std::ranges::count(text_of(file), '\n'); }
-
 /// Everything that a file reaches by its includes, itself among it.
 std::set<std::string> reached_by(const std::string& file) {
   std::set<std::string> reached;
@@ -238,16 +234,4 @@ TEST_CASE("every file of a folder opens the namespace of the folder, unless it h
     const std::string opened = "\nnamespace " + namespaces.at(folder);
     CHECK((contains(text, opened + " {") || contains(text, opened + "::")));
   }
-}
-
-TEST_CASE("the folders of the engine have at most 6,300 lines together, and no file more than 300") {
-  long lines = 0;
-  for (const std::string& file : files()) {
-    if (!engine.contains(folder_of(file))) continue;
-    INFO(file << " has " << lines_of(file) << " lines");
-    CHECK(lines_of(file) <= 300);
-    lines += lines_of(file);
-  }
-  MESSAGE("the engine has ", lines, " lines");
-  CHECK(lines <= 6300);
 }
