@@ -53,7 +53,8 @@ bool is_no_number(std::string_view name) {
 
 std::vector<std::string> words_in(const std::string& name, std::size_t characters, const Symbols& symbols) {
   if (symbols.find(name) != nullptr || name.size() > longest_name) return {name};
-  if (is_no_number(name) || !function_elsewhere(name).empty()) return {name};
+  const bool is_sign = name == "deg" || name == "percent";  // ° and % of generous.hpp
+  if (is_sign || is_no_number(name) || !function_elsewhere(name).empty()) return {name};
   const auto words = split(name, symbols, 3, false);
   const bool is_meant =
       !words.empty() && (characters <= 3 || is_function(words[0]) || nearest_symbol(name, symbols).empty());

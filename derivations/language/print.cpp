@@ -67,6 +67,9 @@ struct Printer {
     if (node.kind == Kind::sum || node.kind == Kind::negative) return place != Place::whole;
     if (node.kind == Kind::power) return place > Place::factor;
     const bool is_quotient = node.kind == Kind::symbol && has(symbol(node.text), "/");  // ∂K/∂θ
+    const bool is_signed = node.kind == Kind::symbol && notation == Notation::unicode &&
+                           (symbol(node.text).ends_with("⁻") || symbol(node.text).ends_with("⁺"));  // θ̇⁻
+    if (is_signed && place == Place::exponent) return true;
     return (is_quotient || node.kind == Kind::product) && place > Place::term;
   }
 
