@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <derivations/decide/decide.hpp>
+#include <derivations/language/generous.hpp>
+#include <derivations/language/print.hpp>
 #include <derivations/language/text.hpp>
 #include <derivations/paper/conditions.hpp>
 #include <derivations/paper/prove.hpp>
@@ -53,10 +55,18 @@ void declare_names_in(const std::string& text, Symbols& symbols) {
   }
 }
 
+/// Returns the only reading of what people write. Throws BadInput if there are several, with their texts.
+Relation read_generously(const std::string& text, const Symbols& symbols) {
+  const Readings readings = generous_readings(text, {.symbols = symbols});
+  if (readings.all.size() == 1) return readings.all[0];
+  throw BadInput("it is not clear " + readings.reason + ": write '" + print(readings.all[0]) + "' or '" +
+                 print(readings.all[1]) + "'");
+}
+
 /// A statement that a user typed. Throws BadInput, with a caret.
-Relation read(const std::string& text, const Symbols& symbols) {
+Relation read(const std::string& text, const Symbols& symbols, bool generous = false) {
   return reading(text, [&] {
-    Relation relation = parse_statement(text, symbols);
+    Relation relation = generous ? read_generously(text, symbols) : parse_statement(text, symbols);
     for (const Tree& side : relation.sides) (void)lower(side, symbols);  // refuses what has no value at once
     return relation;
   });
@@ -88,8 +98,8 @@ struct Question {
 
 Question read(const Paper& paper, const ProveRequest& request) {
   Question question{declared_symbols(paper, request), {}, {}, {}};
-  question.left = read(request.left, question.symbols),
-  question.right = read(request.right, question.symbols);
+  question.left = read(request.left, question.symbols, request.generous);
+  question.right = read(request.right, question.symbols, request.generous);
   std::set<std::string> names = names_of(question.left);
   names.merge(names_of(question.right));
   for (const std::string& text : request.assumptions) {

@@ -16,6 +16,7 @@ struct ProveRequest {
   std::vector<std::string> assumptions;  ///< "x > 0", "0 < x < 1", "b < h", "x != 0", "theta = 0"
   std::vector<std::string> small;        ///< expansion symbols, with order
   std::optional<int> order;              ///< compare the series up to this order
+  bool generous = false;                 ///< read what people write: 2x, sin x, LaTeX
 };
 
 /// The symbols of the paper, and every letter and Greek letter (with an index or dots) that the texts use.

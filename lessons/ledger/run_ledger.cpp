@@ -242,6 +242,9 @@ Proving add_prove(CLI::App& app, Options& options) {
                                  "With --small, compare the series up to this order, from 0 to 12.")
                     ->check(whole_number)
                     ->needs(small);
+  proving->add_flag(
+      "--generous", options.request.generous,
+      "Read what people write: 2x, sin^2 x, \\frac{1}{2}, |x|, 2,5. What has two readings is refused.");
   proving->footer(about_proving);
   auto* table =
       proving
