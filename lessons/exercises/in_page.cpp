@@ -111,11 +111,15 @@ std::string read_back(const Exercise& exercise, const std::string& text) {
         return in_html(
             exercise.paper(),
             {Paragraph{"Read as: " + as_code(parse_quantity(without_name(exercise, text)).read_as)}});
-      const Relation read = read_answer(exercise, text);
-      return fmt::format("Read as: <span data-plain=\"{}\" data-latex=\"{}\">{}</span>",
-                         escaped(print_statement(read, Notation::plain, {})),
-                         escaped(print_statement(read, Notation::latex, exercise.language())),
-                         formula_html(read, exercise.language()));
+      const Readings readings = read_answer(exercise, text);
+      std::string html = "Read as: ";
+      for (const Relation& read : readings.all)
+        html += fmt::format("{}<span data-plain=\"{}\" data-latex=\"{}\">{}</span>",
+                            &read == &readings.all.front() ? "" : " or ",
+                            escaped(print_statement(read, Notation::plain, {})),
+                            escaped(print_statement(read, Notation::latex, exercise.language())),
+                            formula_html(read, exercise.language()));
+      return html + (readings.all.size() > 1 ? ". It is not clear " + readings.reason + "." : "");
     } catch (const SyntaxError& error) {
       return in_html(exercise.paper(), {Findings{"", {lines_of(explain(error, text) + "\n")}}});
     }

@@ -95,22 +95,32 @@ void check_relation(const Exercise& exercise, const std::string& relation) {
         fmt::format("'{}' is not what is asked for: write {} = and a value", relation, exercise.name));
 }
 
-Relation read_answer(const Exercise& exercise, const std::string& text) {
+Readings readings_of(const Exercise& exercise, const std::string& text) {
+  return generous_readings(text, {.symbols = exercise.language(), .given = exercise.symbols});
+}
+
+Readings read_answer(const Exercise& exercise, const std::string& text) {
   refuse_unit(exercise, text);
-  const Relation read = parse_statement(text, exercise.language());
+  Readings readings = readings_of(exercise, text);
   const bool is_equation = exercise.kind == Kind::equation;
-  const bool is_named = read.sides.size() == 2 && is_asked_for(exercise, read.sides[0]);
-  const Relation meant =
-      is_equation ? equation_in(exercise, read, text.size()) : expression_in(exercise, read, is_named);
-  Relation checked = meant;
-  if (is_equation && is_named) checked.sides.erase(checked.sides.begin());
-  check_symbols(exercise, checked);
-  return meant;
+  for (Relation& read : readings.all) {
+    const bool is_named = read.sides.size() == 2 && is_asked_for(exercise, read.sides[0]);
+    const Relation meant =
+        is_equation ? equation_in(exercise, read, text.size()) : expression_in(exercise, read, is_named);
+    Relation checked = meant;
+    if (is_equation && is_named) checked.sides.erase(checked.sides.begin());
+    check_symbols(exercise, checked);
+    read = meant;
+  }
+  return readings;
 }
 
 Opinion judge_formula(const Prepared& prepared, const std::string& text) {
   try {
-    return judge_formula(prepared, read_answer(prepared.exercise, text));
+    const Readings readings = read_answer(prepared.exercise, text);
+    std::vector<Opinion> opinions;
+    for (const Relation& read : readings.all) opinions.push_back(judge_formula(prepared, read));
+    return opinion_on_all(opinions, readings.reason);
   } catch (const SyntaxError& error) {
     return invalid(error, text);
   }

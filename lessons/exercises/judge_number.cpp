@@ -59,8 +59,12 @@ Opinion why_wrong_number(const Prepared& prepared, const Quantity& read) {
   return wrong_answer(slip, read.value > right ? "This is too large." : "This is too small.");
 }
 
-Opinion judge_quantity(const Prepared& prepared, const Quantity& read) {
+Opinion judge_quantity(const Prepared& prepared, Quantity read) {
   const Exercise& exercise = prepared.exercise;
+  if (read.in_turns && exercise.unit.find("Hz") != std::string::npos) {  // turns are asked for
+    read.value /= 2 * pi;
+    read.in_turns = false;
+  }
   const double right = prepared.answer.number;
   const bool is_angle = exercise.unit.empty() || exercise.unit == "rad";
   const Dimension wanted = parse_unit(is_angle ? "1" : exercise.unit);
@@ -88,12 +92,15 @@ Opinion judge_quantity(const Prepared& prepared, const Quantity& read) {
 }  // namespace
 
 std::string without_name(const Exercise& exercise, const std::string& typed) {
-  const std::string text =
-      std::regex_replace(std::regex_replace(typed, std::regex("≤"), "<="), std::regex("≥"), ">=");
+  std::string text = typed;
+  for (const auto& [sign, meant] :
+       {std::pair("≤|\\\\leq?\\b", "<="), {"≥|\\\\geq?\\b", ">="}, {"≈|\\\\approx\\b", "="}})
+    text = std::regex_replace(text, std::regex(sign), meant);
   const std::size_t at = text.find_first_of("=<>");
   if (at == std::string::npos) return text;
   try {
-    if (!is_asked_for(exercise, parse(text.substr(0, at), exercise.language()))) return text;
+    const Readings left = readings_of(exercise, text.substr(0, at));
+    if (!is_asked_for(exercise, left.all[0].sides[0])) return text;
   } catch (const SyntaxError&) {
     return text;
   }
@@ -106,10 +113,13 @@ Opinion judge_number(const Prepared& prepared, const std::string& typed) {
   std::string text = typed;
   try {
     text = without_name(prepared.exercise, typed);
-    const Quantity read = parse_quantity(text);
-    Opinion opinion = judge_quantity(prepared, read);
-    opinion.read_as = read.read_as;
-    return opinion;
+    const auto [quantities, reason] = quantities_in(text);
+    std::vector<Opinion> opinions;
+    for (const Quantity& read : quantities) {
+      opinions.push_back(judge_quantity(prepared, read));
+      opinions.back().read_as = read.read_as;
+    }
+    return opinion_on_all(opinions, reason);
   } catch (const SyntaxError& error) {
     return invalid(error, text);
   }

@@ -7,10 +7,11 @@
 #include <lessons/exercises/student_files.hpp>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace rederive::classroom {
 
-enum class Outcome { correct, wrong_form, correct_if, wrong, invalid, undecided };
+enum class Outcome { correct, wrong_form, correct_if, wrong, invalid, undecided, ambiguous };
 /// Returns the word in JSON and CSV: "wrong_form".
 std::string to_string(Outcome outcome);
 /// Returns a sentence for a student.
@@ -26,7 +27,8 @@ struct Opinion {
   std::string read_as = {};
   bool shows_place = false;  ///< the feedback is lines with a caret below the place, not a sentence
   std::optional<decide::Witness> witness = {};
-  int line = 0;  ///< of a working: the line that is meant
+  int line = 0;                            ///< of a working: the line that is meant
+  std::vector<std::string> readings = {};  ///< of an ambiguous answer, each in our own syntax
 };
 
 /// Return the opinion on a right answer; on a wrong one, with the words of slips.toml as `feedback` unless it
@@ -40,8 +42,13 @@ Opinion invalid(const Note& note, const std::string& feedback);
 Opinion invalid(const language::SyntaxError& error, const std::string& text);
 Opinion refused(Trouble trouble);
 Opinion undecided(const std::string& reason);
+/// Returns the question which of the readings is meant; `reason` is what is not clear.
+Opinion ambiguous(const std::vector<std::string>& readings, const std::string& reason);
+/// Returns the opinion on a text with these opinions on its readings: if all are right, or all are wrong in
+/// the same way, the first; otherwise the question which is meant. `reason` is what is not clear.
+Opinion opinion_on_all(const std::vector<Opinion>& readings, const std::string& reason);
 
-/// Returns the exit code: 0 correct, 1 wrong, 2 invalid, 3 undecided.
+/// Returns the exit code: 0 correct, 1 wrong, 2 invalid or ambiguous, 3 undecided.
 int exit_code(const Opinion& opinion);
 /// Returns whether an opinion is no verdict: the text could not be read, or not be decided.
 bool needs_teacher(const Opinion& opinion);

@@ -175,6 +175,7 @@ Json report_json(const Exercise& exercise, const Opinion& opinion) {
   if (const auto& witness = opinion.witness)
     json["witness"] = {{"at", witness->at}, {"answer", witness->printed}, {"right", witness->derived}};
   if (opinion.line != 0) json["line"] = opinion.line;
+  if (!opinion.readings.empty()) json["readings"] = opinion.readings;
   return json;
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cctype>
 #include <derivations/decide/problem.hpp>
+#include <derivations/language/generous.hpp>
 #include <derivations/language/print.hpp>
 #include <lessons/exercises/trees.hpp>
 #include <lessons/exercises/units.hpp>
@@ -24,17 +25,29 @@ struct Unit {
   std::string name, si, factor;
 };
 constexpr auto table = R"(
-m m 1  cm m 1/100  mm m 1/1000  km m 1000  g m/s^2 981/100  Gal m/s^2 1/100
-s s 1  sec s 1  ms s 1/1000  min s 60  Hz 1/s 2*pi
-kg kg 1  t kg 1000  N kg*m/s^2 1  kN kg*m/s^2 1000  Pa kg/m/s^2 1
-J kg*m^2/s^2 1  kJ kg*m^2/s^2 1000  Nm kg*m^2/s^2 1  W kg*m^2/s^3 1
+m m 1  g m/s^2 981/100  Gal m/s^2 1/100
+s s 1  sec s 1  min s 60  Hz 1/s 2*pi
+kg kg 1  t kg 1000  N kg*m/s^2 1  Pa kg/m/s^2 1  bar kg/m/s^2 100000
+J kg*m^2/s^2 1  Nm kg*m^2/s^2 1  kNm kg*m^2/s^2 1000  W kg*m^2/s^3 1
+A A 1  V kg*m^2/s^3/A 1  C A*s 1  K K 1  mol mol 1
 rad 1 1  deg 1 pi/180  percent 1 1/100)";
 
+/// Returns the units of the table, and those with prefixes: cm, ms, kN.
 const std::vector<Unit>& units() {
   static const auto list = [] {
+    constexpr std::pair<const char*, const char*> prefixes[] = {
+        {"n", "1/1000000000"}, {"u", "1/1000000"}, {"m", "1/1000"},  {"c", "1/100"},
+        {"d", "1/10"},         {"k", "1000"},      {"M", "1000000"}, {"G", "1000000000"}};
     std::vector<Unit> all;
     std::istringstream words(table);
     for (Unit unit; words >> unit.name >> unit.si >> unit.factor;) all.push_back(unit);
+    for (const char* base : {"m", "s", "Hz", "N", "Pa", "J", "W", "A", "V", "rad"})
+      for (const auto& [prefix, size] : prefixes) {
+        const Unit unit = *std::ranges::find(all, base, &Unit::name);
+        const std::string name = prefix + unit.name;
+        if (std::ranges::count(all, name, &Unit::name) == 0)
+          all.push_back({name, unit.si, std::string(size) + "*" + unit.factor});
+      }
     return all;
   }();
   return list;
@@ -94,77 +107,6 @@ int digits_of(const Tree& tree) {
     if (c != '.') digits += digits > 0 || c != '0';
   return digits;
 }
-
-bool is_letter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }
-
-/// A text translated into our syntax, in which units need a sign of multiplication. It keeps, for each byte,
-/// the place in the text that was typed.
-class Typed {
- public:
-  explicit Typed(const std::string& typed) : typed_(typed) {
-    while (at_ < typed_.size()) read();
-  }
-  const std::string& text() const { return text_; }
-  std::size_t place(std::size_t at) const { return at < places_.size() ? places_[at] : typed_.size(); }
-
- private:
-  void add(const std::string& more) {
-    text_ += more;
-    places_.insert(places_.end(), more.size(), at_);
-  }
-
-  /// Returns whether an operand ends here. Then a unit that comes next is a factor.
-  bool ends_operand() const {
-    const std::size_t last = text_.find_last_not_of(' ');
-    return last != std::string::npos &&
-           std::string_view("+-*/^(,=<>_").find(text_[last]) == std::string::npos;
-  }
-
-  void read() {
-    static const std::vector<std::pair<std::string, std::string>> signs{
-        {"·", "*"}, {"⋅", "*"}, {"×", "*"}, {" x 10^", "*10^"}, {"÷", "/"}, {"−", "-"}};
-    for (const auto& [sign, meant] : signs)
-      if (typed_.compare(at_, sign.size(), sign) == 0) return take(meant, sign.size());
-    if (typed_.compare(at_, 2, "°") == 0) return take_unit("deg", 2);
-    if (typed_[at_] == '%') return take_unit("percent", 1);
-    const char before = at_ > 0 ? typed_[at_ - 1] : ' ';
-    std::size_t end = at_;
-    while (end < typed_.size() && is_letter(typed_[end])) ++end;
-    const std::string word = typed_.substr(at_, end - at_);
-    if (before != '_' && unit_symbols().find(word) != nullptr) return take_unit(word, word.size());
-    if (!word.empty()) return take(word, word.size());
-    if (before == ' ' && typed_[at_] == '1' && is_reciprocal()) return take("", 1);
-    if (typed_[at_] == '(' && is_unit_in_parentheses()) add("*");
-    take(typed_.substr(at_, 1), 1);
-  }
-  void take(const std::string& meant, std::size_t size) {
-    add(meant);
-    at_ += size;
-  }
-  void take_unit(const std::string& name, std::size_t size) {
-    if (ends_operand()) add("*");
-    take(name, size);
-    const auto digit = [this](std::size_t at) { return at < typed_.size() && std::isdigit(typed_[at]) != 0; };
-    if (digit(at_) && !digit(at_ + 1) && typed_[at_] > '1') add("^");  // m/s2
-  }
-
-  /// Returns whether the 1 here begins a unit, as in 2.69 1/s.
-  bool is_reciprocal() const {
-    const std::size_t name = typed_.find_first_not_of(' ', at_ + 2);
-    return ends_operand() && typed_.compare(at_ + 1, 1, "/") == 0 && name != std::string::npos &&
-           is_letter(typed_[name]);
-  }
-  bool is_unit_in_parentheses() const {
-    const std::size_t end = typed_.find(')', at_);
-    return ends_operand() && end != std::string::npos && end - at_ < 40 &&
-           is_unit(typed_.substr(at_ + 1, end - at_ - 1));
-  }
-
-  const std::string& typed_;
-  std::string text_;
-  std::vector<std::size_t> places_;
-  std::size_t at_ = 0;
-};
 
 /// Returns the factors from `from` up to, but not including, `to` of a product.
 Tree factors(const Tree& whole, std::size_t from, std::size_t to) {
@@ -229,17 +171,6 @@ void complain_of_unit(const std::string& text) {
       "this is not a known unit; the units are m, cm, mm, s, ms, kg, N, J, rad, deg, g (gravity)");
 }
 
-/// Refuses 0,25, and says how to write it.
-void refuse_comma(const std::string& text) {
-  const std::size_t comma = text.find(',');
-  if (comma == std::string::npos) return;
-  std::string meant = text;
-  const bool is_plain = text.find('.') == std::string::npos && text.find(',', comma + 1) == std::string::npos;
-  throw SyntaxError(
-      Mistake::decimal_comma, comma,
-      "write decimal fractions with a point" + (is_plain ? ": " + meant.replace(comma, 1, ".") : ""));
-}
-
 bool has_number(const Tree& tree) {
   return tree->kind == Node::Kind::number || (tree->kind == Node::Kind::symbol && tree->text == "pi") ||
          std::ranges::any_of(tree->children, has_number);
@@ -254,11 +185,12 @@ Quantity quantity_of(const Tree& typed) {
   if (!report.consistent)
     throw SyntaxError(Mistake::unit, 0, "the units do not fit together: " + report.explanation);
   const auto parts = number_and_unit(tree);
-  return {.value = base_value(tree),
-          .dimension = report.dimension,
-          .read_as = echo(tree),
-          .digits = parts ? digits_of(parts->first) : 0,
-          .in_turns = names_of(tree).contains("Hz")};
+  return {
+      .value = base_value(tree),
+      .dimension = report.dimension,
+      .read_as = echo(tree),
+      .digits = parts ? digits_of(parts->first) : 0,
+      .in_turns = std::ranges::any_of(names_of(tree), [](const auto& name) { return name.ends_with("Hz"); })};
 }
 
 }  // namespace
@@ -273,18 +205,31 @@ bool is_unit(const std::string& text) {
   }
 }
 
-Quantity parse_quantity(const std::string& text) {
-  refuse_comma(text);
-  const Typed typed(text);
+std::pair<std::vector<Quantity>, std::string> quantities_in(const std::string& text) {
   try {
-    return quantity_of(parse(typed.text(), unit_symbols()));
+    const Readings readings = generous_readings(text, {.symbols = unit_symbols(), .units = true});
+    std::vector<Quantity> all;
+    for (const Relation& read : readings.all) {
+      if (!read.operators.empty())
+        throw SyntaxError(Mistake::relation, 0, "a number is expected here, without a relation sign");
+      const Quantity quantity = quantity_of(read.sides[0]);
+      const bool is_known = std::ranges::any_of(all, [&](const Quantity& other) {
+        return other.value == quantity.value && other.dimension == quantity.dimension;
+      });
+      if (!is_known) all.push_back(quantity);
+    }
+    return {all, readings.reason};
   } catch (const SyntaxError& error) {
     if (error.mistake == Mistake::unknown_symbol) complain_of_unit(text);
-    const bool is_product =
-        error.mistake == Mistake::implicit_multiplication;  // what the parser would write has units
-    throw SyntaxError(error.mistake, error.position == 0 ? 0 : typed.place(error.position),
-                      is_product ? "a product needs its '*'" : error.what());
+    throw;
   }
+}
+
+Quantity parse_quantity(const std::string& text) {
+  const auto [all, reason] = quantities_in(text);
+  if (all.size() == 1) return all[0];
+  throw SyntaxError(Mistake::ambiguous_unit, 0,
+                    "it is not clear " + reason + ": " + all[0].read_as + " or " + all[1].read_as);
 }
 
 }  // namespace rederive::classroom

@@ -4,6 +4,8 @@
 #include <derivations/mechanics/dimension.hpp>
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace rederive::classroom {
 
@@ -19,6 +21,8 @@ struct Quantity {
 /// whole sum: 1.5 - 1.47 m is 0.03 m. Throws SyntaxError if a number or a unit cannot be read, if terms have
 /// different units, and for 90 - 30 deg, which has two readings.
 Quantity parse_quantity(const std::string& text);
+/// Returns all readings of a number with a unit, and what is not clear if there are several.
+std::pair<std::vector<Quantity>, std::string> quantities_in(const std::string& text);
 /// Returns whether a text is a unit: "kg*m^2".
 bool is_unit(const std::string& text);
 

@@ -40,10 +40,25 @@ struct Step {
   bool is_under_assumptions() const { return !assumed.empty() || !small.empty(); }
 };
 
+/// Returns the only reading of a line. Throws SyntaxError if there are several; the message has their texts.
+Relation read_one(const Exercise& exercise, const Symbols& symbols, const std::string& text) {
+  std::vector<std::string> given = exercise.symbols;
+  for (const std::string& name : symbols.names())
+    if (name != "e") given.push_back(name);
+  const Readings readings = generous_readings(text, {.symbols = symbols, .given = given});
+  if (readings.all.size() == 1) return readings.all[0];
+  throw SyntaxError(Mistake::syntax, 0,
+                    "it is not clear " + readings.reason + ": " + as_typed(print(readings.all[0])) + " or " +
+                        as_typed(print(readings.all[1])));
+}
+
 /// Reads what is in brackets into the step, each part at its place, and returns the line without it.
 std::string without_brackets(std::string text, const Symbols& symbols, Step& step) {
   const std::size_t from = text.find('[');
-  if (from == std::string::npos) return text;
+  const bool is_apart =
+      from != std::string::npos && (from == 0 || text[from - 1] == ' ');  // not in cos[alpha]
+  if (!is_apart || (text.find_first_of("<>=", from) == std::string::npos && text.find("[small ") != from))
+    return text;
   if (text.back() != ']')
     throw SyntaxError(Mistake::syntax, from, "an assumption must end with ], at the end of the line");
   constexpr std::string_view small = "small ";
@@ -91,7 +106,7 @@ class LineReader {
     if (goes_on) text[text.find('=')] = ' ';
     const bool is_first = steps.empty() || steps.back().says.sides.empty();
     if (goes_on && is_first) throw SyntaxError(Mistake::syntax, 0, "the first line must not begin with =");
-    Relation read = parse_statement(text, symbols_);
+    Relation read = read_one(exercise_, symbols_, text);
     for (const auto& [name, value] : names_) read = decide::put_in(read, name, value);
     for (const auto& side : read.sides) lower(side, exercise_.language());  // refuses what is undefined: R/0
     add_links(read, goes_on, step, steps);
