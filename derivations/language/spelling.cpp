@@ -394,6 +394,10 @@ class Speller {
     const std::size_t start = at_;
     digits();
     const bool is_of_pow = has_pow_;
+    if (is("{,}") && is_digit(now(3))) {  // the decimal comma of LaTeX
+      take(".", 3);
+      digits();
+    }
     if (now() == '.' || (now() == ',' && is_digit(now(1)) && !is_of_pow)) {
       const bool is_comma = now() == ',';
       take(".", 1);
@@ -440,11 +444,15 @@ class Speller {
     const std::size_t end = typed_.find('}', at_);
     if (end == typed_.npos) refuse(Mistake::syntax, "this brace is never closed");
     std::string inside(typed_.substr(at_ + 2, end - at_ - 2));
-    for (const char* font : {"\\mathrm{", "\\text{", "\\mathrm ", "\\operatorname{"})
-      if (inside.starts_with(font)) inside = inside.substr(std::string_view(font).size());
+    bool is_in_font = false;
+    for (const std::string_view font : {"\\mathrm{", "\\text{", "\\mathrm ", "\\operatorname{"}) {
+      if (!inside.starts_with(font)) continue;
+      inside = inside.substr(font.size());
+      is_in_font = font.back() == '{';
+    }
     inside.erase(std::remove(inside.begin(), inside.end(), ' '), inside.end());
     take("_" + inside, end + 1 - at_);
-    if (now() == '}') ++at_;  // of the font
+    if (is_in_font && now() == '}') ++at_;
     if (is_letter(now()) || now() == '\\') add(" ");
   }
 

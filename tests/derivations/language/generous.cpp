@@ -154,7 +154,6 @@ TEST_CASE("what is read of texts as students write them is read back as the same
       for (const Relation& one : readings_of(typed).all) check_echo(one, typed), ++read;
     } catch (const SyntaxError& error) {
       CHECK_MESSAGE(error.position <= typed.size(), typed, ": ", error.what());
-      if (std::getenv("SHOW") != nullptr) std::puts((typed.substr(0, 120) + " !! " + error.what()).c_str());
     }
   }
   CHECK(read > 1'500);
