@@ -239,6 +239,10 @@ class Speller {
       at_ += size;
       return add_primes(word == "prime" ? 1 : 2);
     }
+    if (word == "exponentialE" && now(size) == '^') {
+      at_ += size + 1;
+      return exponential();
+    }
     if (word == "placeholder") refuse(Mistake::syntax, "a part of this formula is still empty");
     if (const std::string letter = greek_letter(word); !letter.empty()) return take(letter, size);
     if (const auto* meant = meaning(commands, word)) return known(word, *meant, size);
@@ -265,9 +269,20 @@ class Speller {
     if (now() != '{' || end == typed_.npos) return;
     const std::string inside(typed_.substr(at_ + 1, end - at_ - 1));
     if (inside.find_first_of("{\\") != inside.npos) return;  // a group as any other
+    if (inside == "e" && now(end + 1 - at_) == '^') {
+      at_ = end + 2;
+      return exponential();
+    }
     const bool is_name = word == "operatorname" || is_function(inside);
     take(is_name ? " " + inside + " " : inside, end + 1 - at_);
     if (inside == "deg" || inside == "degrees") add(" ");
+  }
+
+  /// Reads the exponent of a roman e, which is never a symbol.
+  void exponential() {
+    add(" exp(");
+    argument();
+    add(")");
   }
 
   void fraction(std::size_t size) {

@@ -66,19 +66,6 @@ std::vector<std::string> typed_answers(const Prepared& one) {
   return result;
 }
 
-/// The texts that a message suggests: "write a or b".
-std::vector<std::string> suggested(const std::string& message) {
-  const std::string line = message.substr(0, message.find('\n'));
-  const std::size_t at = line.find(": write ");
-  std::vector<std::string> texts;
-  if (at == std::string::npos) return texts;
-  std::string rest = line.substr(at + 8);
-  for (std::size_t end; (end = rest.find(" or ")) != std::string::npos; rest = rest.substr(end + 4))
-    texts.push_back(rest.substr(0, end));
-  texts.push_back(rest);
-  return texts;
-}
-
 }  // namespace
 
 TEST_CASE("what is given holds on the other side, too, and at every witness") {
@@ -122,7 +109,7 @@ TEST_CASE("what was read, typed back, is judged the same") {
   for (const Prepared& one : all_prepared())
     for (const auto& answer : typed_answers(one)) {
       const Opinion opinion = judge_answer(one, answer);
-      if (opinion.outcome == Outcome::invalid) continue;
+      if (opinion.outcome == Outcome::invalid || opinion.outcome == Outcome::ambiguous) continue;
       REQUIRE_MESSAGE(!opinion.read_as.empty(), one.exercise.id, ": ", answer);
       const Opinion again = judge_answer(one, opinion.read_as);
       ++echoes;
@@ -134,34 +121,27 @@ TEST_CASE("what was read, typed back, is judged the same") {
   CHECK(echoes > 500);
 }
 
-TEST_CASE("of what is suggested for a right answer, one reading is right, and a single one always") {
-  int suggestions = 0;
-  for (const Prepared& one : all_prepared())
-    for (const auto& answer : typed_answers(one)) {
-      if (answer.starts_with("2*(") || answer.starts_with("-(") || answer.starts_with("abs(")) continue;
-      const Opinion opinion = judge_answer(one, answer);
-      if (opinion.outcome != Outcome::invalid) continue;
-      const auto texts = suggested(opinion.feedback);
-      for (const auto& text : texts) {
-        const Opinion again = judge_answer(one, text);
-        ++suggestions;
-        CHECK_MESSAGE((again.outcome != Outcome::invalid || again.note.word == "symbol_not_given"),
-                      one.exercise.id, ": ", answer, " → ", text, " ", again.feedback);
-      }
-    }
-  CHECK(suggestions > 100);
+TEST_CASE("a right answer that is written otherwise is right, or one of its readings is") {
+  int readings = 0;
   for (const Prepared& one : all_prepared())
     for (const auto& right : one.exercise.equivalents)
       for (const auto& typed : {std::regex_replace(right, std::regex(R"(\*)"), " "),
                                 std::regex_replace(right, std::regex(R"((sin|cos)\((\w+)\)\^2)"), "$1^2($2)"),
                                 std::regex_replace(right, std::regex(R"((sin|cos)\((\w+)\))"), "$1 $2"),
                                 std::regex_replace(right, std::regex(R"((\d)\.(\d))"), "$1,$2")}) {
-        const auto texts = suggested(judge_answer(one, typed).feedback);
-        const bool is_right = std::ranges::any_of(
-            texts, [&](const auto& text) { return judge_answer(one, text).outcome == Outcome::correct; });
-        CHECK_MESSAGE((texts.empty() || is_right), one.exercise.id, ": ", typed, " → ",
-                      judge_answer(one, typed).feedback);
+        const Opinion opinion = judge_answer(one, typed);
+        const bool is_right =
+            opinion.outcome == Outcome::correct ||
+            std::ranges::any_of(opinion.readings, [&](const std::string& text) {
+              const Opinion again = judge_answer(one, text);
+              CHECK_MESSAGE(again.outcome != Outcome::ambiguous, one.exercise.id, ": ", typed, " → ", text);
+              ++readings;
+              return again.outcome == Outcome::correct;
+            });
+        CHECK_MESSAGE(is_right, one.exercise.id, ": ", typed, " → ", to_string(opinion.outcome), ": ",
+                      opinion.feedback);
       }
+  CHECK(readings > 3);
 }
 
 TEST_CASE("no brace of a template, and no right answer, is in what a student is told") {
@@ -208,6 +188,7 @@ TEST_CASE("no brace of a template, and no right answer, is in what a student is 
     page.erase(page.rfind("<script"));
     for (std::size_t at; (at = page.find("<style>")) != std::string::npos;)
       page.erase(at, page.find("</style>", at) - at);
+    page = std::regex_replace(page, std::regex(" data-[a-z]+=\"[^\"]*\""), "");
     CHECK_MESSAGE(page.find_first_of("{}") == std::string::npos, page.substr(page.find_first_of("{}"), 200));
   }
 }

@@ -203,7 +203,7 @@ TEST_CASE("bad requests are refused in words, and the server lives on") {
   CHECK(status(path, std::string(60000, '[')) == 400);
   CHECK(ask(server, {.path = path, .body = Json{{"answer", std::string(70000, 'x')}}.dump()}).status == 413);
   CHECK(status(path_to(server, "nothing", "check"), R"({"answer": ""})") == 404);
-  CHECK(status(path_to(server, "height-of-centre", "reset"), R"({"answer": ""})") == 404);
+  CHECK(status(path_to(server, "height-of-centre", "frame"), R"({"answer": ""})") == 404);
   CHECK(contains(says(server, "height-of-centre", "check", std::string(60000, 'x')), "could not be read"));
   CHECK_FALSE(contains(read_file(server.progress), "height-of-centre"));
 }
