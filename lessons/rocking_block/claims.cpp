@@ -15,7 +15,8 @@ Claims claims() {
        {checks_of_symbols(), checks_of_start(), checks_of_impact(), checks_of_linear_model(),
         checks_of_cosine(), checks_of_figures(), checks_of_spectra()})
     for (const auto& [name, check] : part)
-      if (!all.checks.emplace(name, [bench, check](const Claim& claim) { return check(*bench, claim); })
+      if (!all.checks
+               .emplace(name, [bench, check = check](const Claim& claim) { return check(*bench, claim); })
                .second)
         throw std::logic_error("the check " + name + " is listed twice");
   return all;
