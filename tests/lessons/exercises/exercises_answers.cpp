@@ -125,7 +125,7 @@ TEST_CASE("a right answer that is written otherwise is right, or one of its read
   int readings = 0;
   for (const Prepared& one : all_prepared())
     for (const auto& right : one.exercise.equivalents)
-      for (const auto& typed : {std::regex_replace(right, std::regex(R"(\*)"), " "),
+      for (const auto& typed : {std::regex_replace(right, std::regex(R"(\*(?![0-9]))"), " "),
                                 std::regex_replace(right, std::regex(R"((sin|cos)\((\w+)\)\^2)"), "$1^2($2)"),
                                 std::regex_replace(right, std::regex(R"((sin|cos)\((\w+)\))"), "$1 $2"),
                                 std::regex_replace(right, std::regex(R"((\d)\.(\d))"), "$1,$2")}) {
