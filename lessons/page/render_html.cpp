@@ -26,12 +26,12 @@ class HtmlRenderer : public Renderer {
     const std::string about = joined(front.about, "", [this](const auto& line) {
       return "<p><b>" + line.first + ":</b> " + flat(line.second) + "</p>\n";
     });
-    return page_head(front) + "<main>\n" + navigation() + "<h1>" + escaped(front.title) + "</h1>\n" +
+    return page_head(front) + "<main>\n" + navigation("top") + "<h1>" + escaped(front.title) + "</h1>\n" +
            (about.empty() ? "" : "<div class=\"about\">\n" + about + "</div>\n");
   }
 
   std::string end() override {
-    return (setting_.lesson == 0 ? "" : place_for_exercises({}, mentioned_.empty())) + navigation() +
+    return (setting_.lesson == 0 ? "" : place_for_exercises({}, mentioned_.empty())) + navigation("bottom") +
            "</main>\n" +
            (setting_.script.empty() ? "" : "<script type=\"module\">\n" + setting_.script + "</script>\n") +
            "</body>\n</html>\n";
@@ -47,15 +47,16 @@ class HtmlRenderer : public Renderer {
            (front.kind.empty() ? "" : " class=\"" + front.kind + "\"") + ">\n";
   }
 
-  std::string navigation() const {
+  /// Returns the links to the lessons before and after, for this place of the page.
+  std::string navigation(const std::string& place) const {
     const auto link = [](const std::string& program, const std::string& text) {
       return program.empty() ? std::string("<span></span>")
                              : "<a href=\"" + escaped(program) + ".html\">" + text + "</a>";
     };
     return setting_.lesson == 0
                ? ""
-               : "<nav>" + link(setting_.previous, "← previous") + "<a href=\"index.html\">all lessons</a>" +
-                     link(setting_.next, "next →") + "</nav>\n";
+               : "<nav aria-label=\"Lessons, " + place + "\">" + link(setting_.previous, "← previous") +
+                     "<a href=\"index.html\">all lessons</a>" + link(setting_.next, "next →") + "</nav>\n";
   }
 
   std::string math(const Relation& relation) override { return mathml(relation, symbols()); }
