@@ -43,7 +43,8 @@ function workOfJudge() {
     try {
       if (data.binary) {
         judge = await rederive({ wasmBinary: data.binary, print() {}, printErr() {} });
-        answer.error = call("rederive_set_progress", data.progress);
+        if (data.files) answer.error = JSON.parse(call("rederive_reply", JSON.stringify({ paper: data.files }))).error ?? "";
+        answer.error ||= call("rederive_set_progress", data.progress);
       } else if (data.progress !== undefined) answer.error = call("rederive_set_progress", data.progress);
       else answer.reply = call("rederive_reply", data.request);
       answer.progress = call("rederive_progress");
@@ -112,7 +113,8 @@ function deskOfModule(patience = 60_000) {
     const { code, binary } = await source;
     const text = new Blob([code, `\n;(${workOfJudge})();`], { type: "text/javascript" });
     worker = new Worker(URL.createObjectURL(text));
-    const begun = await tell({ binary, progress: kept.progress });
+    const files = Object.keys(site.files).length > 0 ? site.files : null;
+    const begun = await tell({ binary, files, progress: kept.progress });
     if (!begun.crash) return;
     end();
     throw new Error("This browser cannot run the judge. A browser of 2022 or later can.");

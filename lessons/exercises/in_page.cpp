@@ -95,8 +95,11 @@ std::string script(const Classroom& room, const ServedBy& desk) {
   const nlohmann::json site{{"paper", room.course.paper.title},
                             {"exercises", ids},
                             {"judge", desk.is_module},
-                            {"mathlive", desk.has_mathlive}};
+                            {"mathlive", desk.has_mathlive},
+                            {"files", desk.files}};
   std::string text = "const site = " + site.dump() + ";\n";
+  for (std::size_t at = 0; (at = text.find("</", at)) != std::string::npos; at += 3)
+    text.insert(at + 1, "\\");  // "</script>" in a title would end the script
   for (const char* file :
        {"desk_of_server", "desk_of_module", "formula_field", "report_to_school", "exercise"})
     text += read_whole(exercises_folder() / (std::string(file) + ".js"));

@@ -25,6 +25,8 @@ struct ServedBy {
   bool is_module = false;  ///< a module of WebAssembly in the page; false: `exercises serve`
   bool has_mathlive =
       false;  ///< whether formulas are typed into a field of MathLive, which lies beside the page
+  /// The files of the paper's folder by their names, for a module that does not know the paper.
+  std::map<std::string, std::string> files = {};
 };
 /// Returns the forms of all exercises, and the script that serves them, as the option --forms of a lesson
 /// reads them.

@@ -1,7 +1,7 @@
+#include <derivations/paper/folder.hpp>
 #include <derivations/paper/json.hpp>
 #include <derivations/paper/prove_bounded.hpp>
 #include <derivations/program/program.hpp>
-#include <derivations/rocking_block/paper.hpp>
 #include <lessons/exercises/in_page.hpp>
 #include <lessons/exercises/judge.hpp>
 #include <lessons/exercises/prepared.hpp>
@@ -11,6 +11,7 @@
 #include <lessons/module/desk.hpp>
 #include <lessons/rocking_block/course.hpp>
 #include <map>
+#include <memory>
 #include <new>
 #include <nlohmann/json.hpp>
 
@@ -18,23 +19,67 @@ namespace rederive::module {
 using namespace classroom;
 using namespace paper;
 using namespace program;
+namespace fs = std::filesystem;
 namespace {
 
-const std::filesystem::path& file_of_progress() {
-  static const std::filesystem::path file = progress_file("", rocking_block::course().progress);
+/// A paper that a page has handed over, with its exercises.
+struct HandedOver {
+  Paper paper;
+  Course course;
+
+  explicit HandedOver(const fs::path& folder)
+      : paper(read_paper(folder)),
+        course{.paper = paper,
+               .exercises = folder / "exercises.toml",
+               .lessons = {},
+               .program = "exercises",
+               .progress = {}} {}
+};
+
+/// The paper that is asked about, and its exercises in the variants that were asked for.
+struct Subject {
+  std::unique_ptr<HandedOver> handed_over;  ///< none: the built-in paper
+  std::map<std::string, Classroom> rooms;
+
+  const Course& course() const { return handed_over ? handed_over->course : rocking_block::course(); }
+};
+
+Subject& subject() {
+  static Subject one;
+  return one;
+}
+
+const fs::path& file_of_progress() {
+  static const fs::path file = progress_file("", rocking_block::course().progress);
   return file;
 }
 
 /// Returns the classroom of a seed, with all exercises in its variant. A second call returns the same one.
 const Classroom& classroom_of(const std::string& seed) {
-  static std::map<std::string, Classroom> rooms;
+  auto& rooms = subject().rooms;
   const auto found = rooms.find(seed);
   if (found != rooms.end()) return found->second;
   if (rooms.size() > 16) rooms.clear();
-  const Course& course = rocking_block::course();
+  const Course& course = subject().course();
   return rooms
       .emplace(seed, Classroom{course, read_exercises(course, course.exercises, seed), file_of_progress()})
       .first->second;
+}
+
+/// Puts the paper in a folder with these files in place of the one before.
+Json handed_over(const Json& files) {
+  const fs::path folder = private_folder("paper");
+  fs::remove_all(folder);
+  make_own_folder(folder);
+  for (const auto& [name, text] : files.items()) {
+    if (fs::path(name).filename() != name)
+      throw BadInput("a file of the paper needs a name without a folder, not '" + name + "'");
+    write_whole(folder / name, text.get<std::string>());
+  }
+  auto paper = std::make_unique<HandedOver>(folder);
+  subject().rooms.clear();
+  subject().handed_over = std::move(paper);
+  return Json::object();
 }
 
 Json button(const Json& request) {
@@ -54,11 +99,11 @@ Json proof(const Json& request) {
                       .small = request.value("small", std::vector<std::string>{}),
                       .order = {}};
   if (request.contains("order")) wanted.order = request.at("order").get<int>();
-  return decide_bounded(rocking_block::paper(), wanted);
+  return decide_bounded(subject().course().paper, wanted);
 }
 
 Json shown(const std::string& what) {
-  const Paper& paper = rocking_block::course().paper;
+  const Paper& paper = subject().course().paper;
   if (what == "exercises") {
     Json answers = Json::object();
     for (const Exercise& exercise : classroom_of("").exercises)
@@ -72,6 +117,7 @@ Json shown(const std::string& what) {
 }
 
 Json answer_to(const Json& request) {
+  if (request.contains("paper")) return handed_over(request.at("paper"));
   if (request.contains("prove")) return proof(request.at("prove"));
   if (request.contains("show")) return shown(request.at("show").get<std::string>());
   if (request.contains("selftest")) return {{"code", selftest(classroom_of(""))}};

@@ -1,4 +1,4 @@
-// Answers requests of pages: the classroom, the prover and the ledger of the built-in paper as JSON.
+// Answers requests of pages: the classroom, the prover and the ledger of a paper as JSON.
 #pragma once
 
 #include <string>
@@ -18,6 +18,11 @@ namespace rederive::module {
 ///     {"show": "exercises"}  the ids of all exercises, with a right answer for each
 ///     {"selftest": true}     {"code": N}, the exit code of `exercises selftest`; complaints go to standard
 ///                            output
+///
+///     {"paper": {NAME: TEXT}}
+///         puts the paper and the exercises of a folder with these files in place of the built-in ones,
+///         until the end. The files are paper.toml, equations.toml, derivations.json and exercises.toml, and
+///         what else there is. The answer is {}.
 ///
 /// The answer to a request that cannot be answered is {"error": TEXT}.
 std::string reply_to(const std::string& request);

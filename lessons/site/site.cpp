@@ -32,6 +32,7 @@ struct SiteOptions {
   fs::path judge;     ///< folder with judge.js and judge.wasm; empty: the pages do not judge
   fs::path mathlive;  ///< unpacked package of MathLive; empty: formulas are typed as text
   bool is_scorm = false;
+  bool is_built_in = false;  ///< the judge knows the course by itself
 };
 
 using Files = std::vector<std::pair<fs::path, std::string>>;
@@ -47,6 +48,21 @@ std::string letters_of_mathlive(const fs::path& folder) {
     from = style.cbegin() + match->position() + match->length();
   }
   return text.append(from, style.cend());
+}
+
+/// Returns the folder of the judge that is installed or built, or an empty path.
+fs::path usual_judge() {
+  const fs::path folder = data_folder() / "judge";
+  return fs::exists(folder / "judge.wasm") ? folder : fs::path();
+}
+
+/// Returns the files of a paper's folder from which the judge reads the paper and its exercises.
+std::map<std::string, std::string> files_for_judge(const fs::path& folder) {
+  std::map<std::string, std::string> files;
+  for (const auto& file : fs::directory_iterator(folder))
+    if (file.path().extension() == ".toml" || file.path().filename() == "derivations.json")
+      files[file.path().filename()] = read_whole(file.path());
+  return files;
 }
 
 class Site {
@@ -95,7 +111,8 @@ class Site {
     fs::path forms;
     if (has_exercises_) {
       const classroom::Classroom room{course_, read_exercises(course_, course_.exercises), course_.progress};
-      const classroom::ServedBy desk{.is_module = judges(), .has_mathlive = !options_.mathlive.empty()};
+      classroom::ServedBy desk{.is_module = judges(), .has_mathlive = !options_.mathlive.empty()};
+      if (judges() && !options_.is_built_in) desk.files = files_for_judge(course_.paper.folder);
       all.emplace_back("exercises.html", judges() ? classroom::page_of_exercises(room, titles, desk)
                                                   : classroom::page_of_statements(room));
       if (judges()) {
@@ -162,18 +179,20 @@ class Site {
 
 }  // namespace
 
-int run_site(const std::function<const Course&()>& course, bool has_module, int argc, char** argv) {
+int run_site(const std::function<const Course&()>& course, bool is_built_in, int argc, char** argv) {
   CLI::App app{"Writes everything about a paper as one static site: lessons, exercises, ledger, errata."};
-  SiteOptions options;
+  SiteOptions options{.out = {}, .judge = usual_judge(), .mathlive = {}, .is_built_in = is_built_in};
   app.add_option("OUT", options.out, "Folder for the pages. It is created if it does not exist.")->required();
-  if (has_module)
-    app.add_option("--judge", options.judge,
-                   "Folder with judge.js and judge.wasm. Without it, the pages do not judge.");
+  app.add_option("--judge", options.judge,
+                 "Folder with judge.js and judge.wasm. Default: where .setup/wasm/build made them, or where "
+                 "they are installed. Without them, the pages do not judge.");
   app.add_option("--mathlive", options.mathlive,
                  "The unpacked package of MathLive. Without it, formulas are typed as text.");
   app.add_flag("--scorm", options.is_scorm, "Make OUT/scorm.zip, too, a package of SCORM 1.2.");
   app.footer("Examples:\n  $ PROGRAM pages\n\n");
   return run_command(app, argc, argv, [&] {
+    if (options.judge.empty())
+      fmt::print(stderr, "The pages will not judge: judge.wasm is missing, which .setup/wasm/build makes.\n");
     Files files = Site(course(), options).files();
     make_output_folder(options.out);
     for (auto& [name, text] : files) name = options.out / name;

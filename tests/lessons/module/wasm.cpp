@@ -2,28 +2,19 @@
 #include <doctest/doctest.h>
 #include <toml++/toml.h>
 
-#include <filesystem>
-#include <map>
 #include <random>
-#include <sstream>
-#include <tests/run_program.hpp>
+#include <tests/lessons/exercises/browser.hpp>
+#include <tests/lessons/module/built.hpp>
 
 namespace {
 
-using Json = nlohmann::ordered_json;
-const std::filesystem::path folder = std::filesystem::path(REDERIVE_SOURCE) / "build-wasm";
-
-bool is_built() {
-  if (std::filesystem::exists(folder / "judge.wasm")) return has_tool("node");
-  skip("build-wasm/judge.wasm does not exist: .setup/wasm/build makes it");
-  return false;
-}
-
-std::vector<std::string> lines_of(const std::string& text) {
-  std::vector<std::string> lines;
+/// Returns the replies, a line each. What else is written is the report of the selftest.
+std::vector<std::string> replies_in(const std::string& text) {
+  std::vector<std::string> replies;
   std::istringstream stream(text);
-  for (std::string line; std::getline(stream, line);) lines.push_back(line);
-  return lines;
+  for (std::string line; std::getline(stream, line);)
+    if (line.starts_with("{")) replies.push_back(line);
+  return replies;
 }
 
 std::string text_of(const std::vector<Json>& requests) {
@@ -35,28 +26,11 @@ std::string text_of(const std::vector<Json>& requests) {
 /// Returns the replies of the native program, which begins without progress.
 std::vector<std::string> native_replies(const std::vector<Json>& requests) {
   const TemporaryFolder home;
-  const Result result = run_program("/usr/bin/env",
-                                    {"REDERIVE_PROGRESS=" + (home.path / "progress.txt").string(),
-                                     std::string(REDERIVE_PROGRAMS) + "/../lessons/judge_lines"},
-                                    text_of(requests));
+  const Result result = run_program(
+      "/usr/bin/env", {"XDG_STATE_HOME=" + home.path.string(), REDERIVE_PROGRAMS "/../lessons/judge_lines"},
+      text_of(requests));
   REQUIRE_MESSAGE(result.exit_code == 0, result.err);
-  return lines_of(result.out);
-}
-
-void compare(const std::vector<Json>& requests) {
-  const std::vector<std::string> native = native_replies(requests);
-  const Result result = run_program("/usr/bin/env",
-                                    {"node", "--no-experimental-fetch",
-                                     std::string(REDERIVE_SOURCE) + "/tests/lessons/module/lines.js", folder},
-                                    text_of(requests));
-  REQUIRE_MESSAGE(result.exit_code == 0, result.err);
-  const std::vector<std::string> found = lines_of(result.out);
-  REQUIRE(native.size() == requests.size());
-  REQUIRE(found.size() == requests.size());
-  for (std::size_t k = 0; k < requests.size(); ++k) {
-    INFO(requests[k].dump());
-    CHECK(found[k] == native[k]);
-  }
+  return replies_in(result.out);
 }
 
 Json check(const std::string& exercise, const std::string& answer) {
@@ -80,6 +54,7 @@ std::vector<Json> answers() {
   return requests;
 }
 
+/// Returns the rows of prove_table.toml.
 std::vector<Json> proofs() {
   const toml::table table = toml::parse_file(std::string(REDERIVE_SOURCE) + "/tests/prove_table.toml");
   std::vector<Json> requests;
@@ -98,54 +73,71 @@ std::vector<Json> proofs() {
   return requests;
 }
 
+struct Asked {
+  std::vector<Json> requests;
+  std::vector<std::string> replies;  ///< of the native program
+};
+
+/// The table, the ledger, the selftest and the answers, as the native program answers them.
+const Asked& asked() {
+  static const Asked all = [] {
+    std::vector<Json> requests = proofs();
+    for (const Json& answer : answers()) requests.push_back(answer);
+    requests.push_back({{"show", "ledger"}});
+    requests.push_back({{"selftest", true}});
+    return Asked{requests, native_replies(requests)};
+  }();
+  REQUIRE(all.replies.size() == all.requests.size());
+  REQUIRE(all.replies.back() == R"({"code":0})");
+  return all;
+}
+
+void compare(const std::vector<std::string>& found) {
+  REQUIRE(found.size() == asked().requests.size());
+  for (std::size_t k = 0; k < found.size(); ++k) {
+    INFO(asked().requests[k].dump());
+    CHECK(found[k] == asked().replies[k]);
+  }
+}
+
 }  // namespace
 
-TEST_CASE("the module answers 500 answers to exercises as judge_lines does") {
-  if (is_built()) compare(answers());
+TEST_CASE("in Node the module answers as judge_lines does") {
+  if (!is_module_built() || !has_tool("node")) return;
+  const Result result = run_program("/usr/bin/env",
+                                    {"node", "--no-experimental-fetch",
+                                     REDERIVE_SOURCE "/tests/lessons/module/lines.js", folder_of_module()},
+                                    text_of(asked().requests));
+  REQUIRE_MESSAGE(result.exit_code == 0, result.err);
+  compare(replies_in(result.out));
 }
 
-TEST_CASE("the module proves all rows of the table as judge_lines does") {
-  if (is_built()) compare(proofs());
-}
-
-TEST_CASE("the module has the same ledger, and its selftest finds nothing") {
-  if (is_built()) compare({{{"show", "ledger"}}, {{"selftest", true}}});
+TEST_CASE("in Chromium the module answers as judge_lines does") {
+  if (!is_module_built() || !has_tool("chromium") || !has_tool("base64")) return;
+  const TemporaryFolder temporary;
+  std::filesystem::copy(folder_of_module() / "judge.js", temporary.path);
+  const std::string wasm =
+      run_program("/usr/bin/env", {"base64", "-w0", folder_of_module() / "judge.wasm"}).out;
+  write_file(
+      temporary.path / "page.html",
+      "<meta charset=utf-8><script src=judge.js></script><script>const wasm = '" + wasm + "'</script>");
+  Browser browser;
+  browser.call("Page.navigate", {{"url", "file://" + (temporary.path / "page.html").string()}});
+  browser.wait_for(
+      "typeof wasm !== 'undefined' && rederive({print() {}, wasmBinary: Uint8Array.from(atob(wasm), (byte) "
+      "=> "
+      "byte.charCodeAt(0))}).then((module) => globalThis.judge = module, true)");
+  const auto reply_to = "judge.ccall('rederive_reply', 'string', ['string'], [JSON.stringify(";
+  std::vector<std::string> found;
+  for (const Json& request : asked().requests)
+    found.push_back(browser.wait_for(reply_to + request.dump() + ")])"));
+  compare(found);
 }
 
 TEST_CASE("judge.wasm has at most 2.5 MB, as browsers load it") {
-  if (!is_built() || !has_tool("brotli")) return;
-  const Result packed = run_program("/usr/bin/env", {"brotli", "--stdout", "--best", folder / "judge.wasm"});
+  if (!is_module_built() || !has_tool("brotli")) return;
+  const Result packed =
+      run_program("/usr/bin/env", {"brotli", "--stdout", "--best", folder_of_module() / "judge.wasm"});
   REQUIRE(packed.exit_code == 0);
   CHECK(packed.out.size() <= 2'500'000);
-}
-
-TEST_CASE("the module answers in Chromium as judge_lines does") {
-  if (!is_built() || !has_tool("chromium") || !has_tool("base64")) return;
-  std::vector<Json> requests = proofs(), more = answers();
-  requests.resize(100);
-  requests.insert(requests.end(), more.begin(), more.begin() + 100);
-  const TemporaryFolder temporary;
-  const std::string wasm = run_program("/usr/bin/env", {"base64", "-w0", folder / "judge.wasm"}).out;
-  write_file(
-      temporary.path / "page.html",
-      "<meta charset=utf-8><pre></pre><script>" + read_file(folder / "judge.js") + "</script><script>" +
-          "const bytes = Uint8Array.from(atob('" + wasm + "'), (c) => c.charCodeAt(0));" +
-          "rederive({wasmBinary: bytes, print: () => {}}).then((judge) => {" +
-          "document.querySelector('pre').textContent = btoa(unescape(encodeURIComponent(" +
-          Json(requests).dump() + ".map((request) => judge.ccall('rederive_reply', 'string', ['string'], " +
-          "[JSON.stringify(request)])).join('\\n'))));});</script>");
-  const Result shown = run_program(
-      "/usr/bin/env",
-      {"timeout", "3000", "chromium", "--headless", "--no-sandbox", "--disable-gpu", "--disable-quic",
-       "--no-first-run", "--user-data-dir=" + (temporary.path / "profile").string(),
-       "--virtual-time-budget=1000000", "--dump-dom", (temporary.path / "page.html").string()});
-  const std::size_t from = shown.out.find("<pre>") + 5;
-  const std::string encoded = shown.out.substr(from, shown.out.find("</pre>") - from);
-  const std::vector<std::string> found = lines_of(run_program("/usr/bin/env", {"base64", "-d"}, encoded).out),
-                                 native = native_replies(requests);
-  REQUIRE(found.size() == requests.size());
-  for (std::size_t k = 0; k < requests.size(); ++k) {
-    INFO(requests[k].dump());
-    CHECK(found[k] == native[k]);
-  }
 }

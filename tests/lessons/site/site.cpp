@@ -1,50 +1,31 @@
 // The site that judges by itself: its scripts, its package for learning platforms, and a student in a
 // browser.
 #include <doctest/doctest.h>
-#include <httplib.h>
 
-#include <future>
 #include <regex>
-#include <tests/lessons/exercises/browser.hpp>
-#include <thread>
+#include <tests/lessons/site/visitors.hpp>
 
 namespace fs = std::filesystem;
 
 namespace {
 
-const fs::path source = REDERIVE_SOURCE, built = source / "build-wasm";
+const fs::path source = REDERIVE_SOURCE;
 
 /// The site of the built-in paper, with something that answers in the place of the judge.
-struct Site {
-  TemporaryFolder folder;
-  fs::path pages = folder.path / "pages";
-
-  Site() {
-    fs::create_directory(folder.path / "judge");
-    fs::copy(source / "tests/lessons/site/judge.js", folder.path / "judge");
-    write_file(folder.path / "judge" / "judge.wasm", "not looked at");
-    const Result written = run_program("write_site", {pages, "--judge", folder.path / "judge", "--scorm"});
-    REQUIRE_MESSAGE(written.exit_code == 0, written.err);
-  }
-  std::string url(const std::string& page) const { return "file://" + (pages / page).string(); }
-};
-
-const Site& site() {
-  static const Site one;
+const WrittenSite& site() {
+  static const WrittenSite one = [] {
+    const TemporaryFolder judge;
+    fs::copy(source / "tests/lessons/site/judge.js", judge.path);
+    write_file(judge.path / "judge.wasm", "not looked at");
+    return WrittenSite(judge.path);
+  }();
   return one;
 }
 
-/// A page of the site in a browser as wide as a telephone.
-struct Telephone : Browser {
-  explicit Telephone(const std::string& page) {
-    call("Emulation.setDeviceMetricsOverride",
-         {{"width", 360}, {"height", 800}, {"deviceScaleFactor", 1}, {"mobile", false}});
-    open(page);
-  }
-  void open(const std::string& page) {
-    call("Page.navigate", {{"url", site().url(page)}});
-    wait_for("document.querySelector('h1')");
-  }
+/// A page of the site, opened as a file.
+struct Page : Telephone {
+  explicit Page(const std::string& name) { open(name); }
+  void open(const std::string& name) { Telephone::open(site().url(name)); }
 };
 
 const std::string box = "document.getElementById('barrier')", within = box + ".querySelector";
@@ -72,7 +53,7 @@ TEST_CASE("the scripts of the pages have the types that their comments say") {
 
 TEST_CASE("a learning platform accepts the package: its manifest is valid and names what is in it") {
   if (!has_tool("xmllint")) return;
-  const fs::path manifest = site().pages / "imsmanifest.xml";
+  const fs::path manifest = site().folder() / "imsmanifest.xml";
   const Result valid = run_program(
       "/usr/bin/env", {"xmllint", "--noout", "--relaxng", source / "tests/lessons/site/scorm.rng", manifest});
   CHECK_MESSAGE(valid.exit_code == 0, valid.err);
@@ -84,19 +65,19 @@ TEST_CASE("a learning platform accepts the package: its manifest is valid and na
   const Result listed = run_program(
       "/usr/bin/env",
       {"python3", "-c", "import sys, zipfile; print(*zipfile.ZipFile(sys.argv[1]).namelist(), sep='\\n')",
-       site().pages / "scorm.zip"});
+       site().folder() / "scorm.zip"});
   std::istringstream lines(listed.out);
   std::set<std::string> packed;
   for (std::string line; std::getline(lines, line);) packed.insert(line);
   CHECK(packed == named);
-  std::set<std::string> written = files_in(site().pages);
+  std::set<std::string> written = files_in(site().folder());
   written.erase("scorm.zip"), written.erase("judge.inline.js");
   CHECK(written == named);
 }
 
 TEST_CASE("pages that are opened as files judge, and keep answers, standing and progress") {
   if (!has_tool("chromium")) return;
-  Telephone page("exercises.html");
+  Page page("exercises.html");
   page.wait_for(typed("wrong"));
   CHECK(page.wait_for(within + "('.reply .said')?.textContent") == "check wrong ");
   CHECK(page.wait_for(within + "('.standing').textContent") == "(barrier wrong)");
@@ -112,7 +93,7 @@ TEST_CASE("pages that are opened as files judge, and keep answers, standing and 
 
 TEST_CASE("of an answer with two readings the student picks one, which is checked") {
   if (!has_tool("chromium")) return;
-  Telephone page("exercises.html");
+  Page page("exercises.html");
   page.wait_for(typed("two"));
   page.wait_for("[..." + box +
                 ".querySelectorAll('.reply button')].map((one) => one.textContent).join() === 'one,right'");
@@ -125,8 +106,8 @@ TEST_CASE(
     "an answer at which the judge crashes, hangs or runs out of memory is undecided, and the next one is "
     "judged") {
   if (!has_tool("chromium")) return;
-  Telephone page("exercises.html");
-  std::string scripts = "const site = {paper: 'x', exercises: [], judge: true, mathlive: false};";
+  Page page("exercises.html");
+  std::string scripts = "const site = {paper: 'x', exercises: [], judge: true, mathlive: false, files: {}};";
   for (const char* file : {"desk_of_server.js", "desk_of_module.js"})
     scripts += read_file(source / "lessons/exercises" / file);
   page.call("Runtime.evaluate", {{"expression", scripts + "const desk = deskOfModule(1000);"}});
@@ -144,7 +125,7 @@ TEST_CASE(
 
 TEST_CASE("a teacher's link sets the seed, and a form in its variant takes the place of the exercise") {
   if (!has_tool("chromium")) return;
-  Telephone page("exercises.html?seed=group-3");
+  Page page("exercises.html?seed=group-3");
   page.wait_for("(" + box + ".open = true)");
   CHECK(page.wait_for("[...document.querySelectorAll('.said')].map((one) => one.textContent).find((words) => "
                       "words.startsWith('form'))") == "form  group-3");
@@ -152,10 +133,10 @@ TEST_CASE("a teacher's link sets the seed, and a form in its variant takes the p
 
 TEST_CASE("the ledger shows the rows that contain the words") {
   if (!has_tool("chromium")) return;
-  Telephone page("ledger.html");
+  Page page("ledger.html");
   const std::string rows = "[...document.querySelectorAll('.ledger:not([hidden])')]";
   const auto all = page.wait_for(rows + ".length");
-  CHECK(all == nlohmann::json::parse(read_file(site().pages / "ledger.json"))["equations"].size());
+  CHECK(all == nlohmann::json::parse(read_file(site().folder() / "ledger.json"))["equations"].size());
   page.wait_for(
       "(document.querySelector('[type=search]').value = 'refuted 17b', "
       "document.querySelector('[type=search]').dispatchEvent(new Event('input')), true)");
@@ -164,40 +145,7 @@ TEST_CASE("the ledger shows the rows that contain the words") {
 }
 
 TEST_CASE("Firefox opens the site as files and solves an exercise") {
-  if (!has_tool("firefox-esr")) return;
-  httplib::Server server;
-  std::promise<std::string> found;
-  server.Post("/found",
-              [&](const httplib::Request& request, httplib::Response&) { found.set_value(request.body); });
-  const int port = server.bind_to_any_port("127.0.0.1");
-  std::thread listening([&] { server.listen_after_bind(); });
-  std::string page = read_file(site().pages / "exercises.html");
-  const std::string probe = R"js(<script>
-const wait = (test) => new Promise((done) => {
-  const look = () => test() ? done(test()) : setTimeout(look, 50);
-  look();
-});
-addEventListener("load", async () => {
-  const box = document.getElementById("barrier");
-  box.open = true;
-  box.querySelector("input").value = "right";
-  box.querySelector("button[value=check]").click();
-  const said = await wait(() => box.querySelector(".reply .said"));
-  fetch("http://127.0.0.1:PORT/found", {method: "POST", mode: "no-cors", body: said.textContent});
-});
-</script>)js";
-  page.replace(page.rfind("</body>"), 0, std::regex_replace(probe, std::regex("PORT"), std::to_string(port)));
-  const TemporaryFolder profile;
-  write_file(site().pages / "probe.html", page);
-  const pid_t firefox = start_program(
-      {"firefox-esr", "--headless", "--no-remote", "--profile", profile.path, site().url("probe.html")},
-      {{::open((profile.path / "log").c_str(), O_CREAT | O_RDWR | O_CLOEXEC, 0600), 2}});
-  CHECK(found.get_future().get() == "check right ");
-  ::kill(firefox, SIGTERM);
-  ::waitpid(firefox, nullptr, 0);
-  fs::remove(site().pages / "probe.html");
-  server.stop();
-  listening.join();
+  if (has_tool("firefox-esr")) CHECK(said_in_firefox(site(), "barrier", "right") == "check right ");
 }
 
 TEST_CASE("axe-core finds nothing to complain of in the exercises, the ledger and a lesson") {
@@ -209,7 +157,7 @@ TEST_CASE("axe-core finds nothing to complain of in the exercises, the ledger an
                  " && npm pack --silent axe-core@4.14.1 >/dev/null && tar -xzf axe-core-4.14.1.tgz"});
   if (fetched.exit_code != 0) return skip("npm cannot fetch axe-core");
   const std::string axe = read_file(folder.path / "package/axe.min.js");
-  Telephone page("index.html");
+  Page page("index.html");
   for (const char* name : {"index.html", "exercises.html#barrier", "ledger.html", "errata.html",
                            "lesson-03-energy-and-the-barrier.html"}) {
     CAPTURE(name);
