@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Checks that the files here are well formed: slips that can be planted, and displays whose braces and environments close."""
+"""Checks that each slip can be planted, and that braces, environments and $ of the manuscripts close."""
 import json
 import pathlib
 import re
