@@ -40,7 +40,8 @@ void where_is_the_centre(Page& page) {
     about O. Where is C? We ask the program, which knows the block only as a rectangle and a rotation.)");
   page.argue("2b");
   page.say(
-      "The height of C follows in the same way. We count it from where C was when the block stood still.");
+      "The height of C follows in the same way. We count it from where C was when the block stood still. "
+      "(Exercise height-of-centre.)");
   page.argue("3");
   page.say(R"(
     Does this make sense? Put $theta = 0$: both displacements vanish, as they should. Put $theta = -alpha$:
@@ -51,7 +52,8 @@ void where_is_the_centre(Page& page) {
 void how_fast_does_it_move(Page& page) {
   page.say(R"(
     Velocities are derivatives with respect to time. The chain rule does the work: $theta$ depends on time,
-    so each derivative with respect to $theta$ brings a factor $thetadot$ with it.)");
+    so each derivative with respect to $theta$ brings a factor $thetadot$ with it. (Exercise
+    velocity-of-centre.))");
   page.result("4a");
   page.result("4b");
   page.say(R"(
@@ -63,7 +65,8 @@ void how_fast_does_it_move(Page& page) {
 void kinetic_energy(Page& page) {
   page.say(R"(
     The kinetic energy of a rigid body is that of its mass moving with C, and that of its rotation about C.
-    For the rotation we need the moment of inertia of the rectangle, and we do not look it up: we integrate.)");
+    For the rotation we need the moment of inertia of the rectangle, and we do not look it up: we
+    integrate.)");
   page.argue("u2");
   page.say("Put the velocities in, and the squares of sine and cosine add up to one:");
   page.argue("6");
@@ -95,7 +98,8 @@ void the_other_corner(Page& page) {
     from $alpha$ towards nought.)");
   page.result("20");
   page.say(R"(
-    On the way the paper prints equation (17), the time derivative of the momentum. We compare it with what
+    On the way the paper prints equation (17), the time derivative of the momentum. (Exercise
+    misprint-in-17.) We compare it with what
     the program derives, as we compare every equation:)");
   page.verdict("17b");
   page.say(R"(
@@ -113,7 +117,9 @@ void equation_21(Page& page) {
     Divide by the inertia. All that is left of the block is its angle $alpha$ and one number, $p$, which
     says how fast things happen:)");
   page.result("u5");
-  page.say("and with it the equation of motion takes its final form, one line for each corner:");
+  page.say(
+      "and with it the equation of motion takes its final form (Exercise equation-of-motion), one line for "
+      "each corner:");
   page.argue("21a", "11");
   page.result("21b");
   page.verdict("21a");

@@ -22,7 +22,8 @@ void why_twice(Page& page) {
     two roads that have nothing in common, and believes it when they meet.
 
     The paper says after (11) that the equation of motion can also be had from the equilibrium of moments.
-    It does not show it. We shall.)");
+    It does not show it. We shall; and you may begin. (Exercise momentum, Exercise moment-of-weight,
+    Exercise motion-by-moments.))");
 }
 
 void by_energies(Page& page) {

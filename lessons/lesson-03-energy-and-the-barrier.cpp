@@ -19,7 +19,9 @@ void potential(Page& page) {
     To overturn a block is to lift its centre of mass over a corner. How high that is, equation (14) says;
     it is the potential energy while the block turns about O':)");
   page.result("14");
-  page.say("It is largest where C stands above the corner, at $theta = alpha$. The height of the barrier is");
+  page.say(
+      "It is largest where C stands above the corner, at $theta = alpha$. (Exercise barrier.) The height of "
+      "the barrier is");
   page.show(page.with(page.derived("14").right, {{"theta", "alpha"}}));
   page.say(R"(
     Now think of slenderness. For a small angle the bracket is about half of $alpha^2$: a block twice as
@@ -66,7 +68,7 @@ void moment_rotation(Page& page) {
     This is the diagram of Fig. 4b. It starts not from zero but from its greatest value, $m*g*R*sin(alpha)$;
     so nothing turns until the moment of the ground exceeds that, as if the block were infinitely stiff.
     From there it *falls* with the rotation, down to nothing at $theta = alpha$. Stiffness is the slope of
-    the moment:)");
+    the moment (Exercise stiffness):)");
   page.show(page.derived("19").right.diff(rederive::rocking_block::theta));
   page.say(R"(
     and it is negative. Here a sentence of the paper deserves a second reading. It says that once the block

@@ -39,7 +39,7 @@ void the_first_instant(Page& page) {
   page.result("26a");
   page.say("The balance of moments about C, with the inertia about C, ties the two together:");
   page.result("27");
-  page.say("Three equations, three unknowns. The angular acceleration is");
+  page.say("Three equations, three unknowns. (Exercise first-acceleration.) The angular acceleration is");
   page.argue("28a");
   page.verdict("28a");
   page.say(R"(
@@ -73,7 +73,8 @@ void tangent_only_at_the_start(Page& page) {
   page.compare(page.derived_with("31", {{"lambda", "g*tan(alpha)/a_p"}}), page.derived_relation("32a"));
   page.say(fmt::format(R"(
     So the simple rule holds for gradual pulses. For a sudden one, whose acceleration is already large when
-    it begins, more friction is needed. How much more? Here is the right side of (31) for $alpha = 0.25$,
+    it begins, more friction is needed. How much more? (Exercise friction-at-start.) Here is the right side
+    of (31) for $alpha = 0.25$,
     where the tangent is {:.3f}:)",
                        page.number_of(page.derived("32a").right, {{"alpha", "0.25"}})));
   std::vector<std::vector<std::string>> rows;

@@ -1,4 +1,4 @@
-// Lesson 5. The impact: where 1 - 1.5 sin^2(alpha) comes from
+// Lesson 5. The impact, and what it leaves of the motion
 //
 // Angular momentum about the new corner, before and after, by integrating over the block.
 //
@@ -20,11 +20,12 @@ void what_happens(Page& page) {
   page.say(R"(
     The block comes down. It turned about O; now its other corner O' strikes the ground and from this
     instant on it turns about O'. What happened in between took perhaps a millisecond, with forces that
-    nobody knows. Can we say anything at all?
+    nobody knows. Can we say anything at all? (Exercise which-momentum.)
 
     We can, if we choose the right point. The unknown force acts at O' (this is an assumption, and we shall
     come back to it). About O' it has no moment. The weight has one, but a millisecond of weight is nothing.
-    So the angular momentum *about O'* is the same before and after. We need it twice.)");
+    So the angular momentum *about O'* is the same before and after. We need it twice. (Exercise
+    restitution.))");
   page.figure(block_at_impact("lesson-05-impact"));
 }
 
@@ -71,7 +72,8 @@ void after(Page& page) {
 
 void second_road(Page& page) {
   page.say(R"(
-    As in lesson 2, what matters is derived twice. The second road cuts the motion, not the block, into parts. The
+    As in lesson 2, what matters is derived twice. The second road cuts the motion, not the block, into
+    parts. The
     angular momentum about O' before the impact is that of the mass moving
     with C, plus that of the rotation about C. C moves across its radius from O; seen from O' that velocity
     has a lever arm smaller than $R$, because the two radii enclose twice the angle $alpha$. The program
@@ -91,7 +93,8 @@ void numbers(Page& page) {
     Look at special cases. A block without width, $alpha = 0$, loses nothing: it has only one corner. With
     growing $alpha$ it loses more, and at some shape $e$ becomes zero: then the block does not rock on but
     stops dead, and beyond that the formula gives a negative value, which means that it would rather fall
-    back than go on. Here is a table; the last column is the part of the energy that each impact takes.)");
+    back than go on. Here is a table; the last column is the part of the energy that each impact takes.
+    (Exercise restitution-of-a-statue is its second line.))");
   std::vector<std::vector<std::string>> rows;
   for (const auto* shape : {"0.05", "0.11", "0.25", "0.5", "1"}) {
     const double e =
@@ -156,7 +159,7 @@ void try_it(Page& page) {
 int main(int argc, char** argv) {
   const Lesson lesson{
       .number = 5,
-      .title = "The impact: where 1 - 1.5 sin² α comes from",
+      .title = "The impact, and what it leaves of the motion",
       .teaches =
           "Impulsive forces and the right point for moments; integration over a body; what an assumption "
           "costs.",

@@ -20,7 +20,7 @@ void two_forces(Page& page) {
     While the block rocks, the ground holds it with a horizontal force $H$ and a vertical force $V$ at the
     corner. If $H$ asks for more than $mu*V$, the block slips and the whole theory ends. So we want their
     ratio at all times. The paper computes it in four equations, (47) to (50). We read them as an examiner
-    would.)");
+    would. (Exercise wrong-sign-in-47.))");
   page.figure(block_with_forces("lesson-06-forces",
                                 "The reactions at the corner while the block turns about O.", {-0.17}));
   page.result("47a");
@@ -47,7 +47,9 @@ void accelerations(Page& page) {
 }
 
 void the_ratio(Page& page) {
-  page.say("Now put everything together, with (21a) for the angular acceleration. The two reactions are");
+  page.say(
+      "Now put everything together, with (21a) for the angular acceleration. (Exercise vertical-reaction.) "
+      "The two reactions are");
   page.result("r1");
   page.result("r2");
   page.say("and the paper prints their quotient as (50):");

@@ -29,7 +29,7 @@ void the_pulse(Page& page) {
 void linearise(Page& page) {
   page.say(R"(
     If $alpha$ is small, so is $theta$ as long as the block is not lost, and in (21) we may put the sine
-    equal to its angle and the cosine equal to one:)");
+    equal to its angle and the cosine equal to one (Exercise linear-equation):)");
   page.argue("56a");
   page.result("56b");
   page.verdict("56a");

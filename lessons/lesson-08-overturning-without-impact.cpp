@@ -17,7 +17,8 @@ void the_condition(Page& page) {
   page.say(R"(
     The block goes to the left and never comes back. When the pulse ends it has some angle and some rate.
     Will it make it over the crest? Write the free motion as exponentials: one part grows with time, the
-    other dies. On the critical motion the growing part is missing, and that is all the condition there is:)");
+    other dies. On the critical motion the growing part is missing, and that is all the condition there is
+    (Exercise critical-condition):)");
   page.argue("68");
   page.say(R"(
     The paper argues differently. It demands that the block reach $-alpha$ with no velocity, finds that two
@@ -61,7 +62,8 @@ void solved(Page& page) {
          fmt::format("{}", std::abs(simulated / closed - 1) < 1e-12 ? "below 1e-12" : "above 1e-12")});
   }
   page.say(R"(
-    The left column is the root of (71). The right one knows nothing of (71): the program simulates the
+    The left column is the root of (71). (Exercise amplitude-at-five.) The right one knows nothing of (71):
+    the program simulates the
     block, once a little stronger, once a little weaker, and halves the interval until two neighbouring
     numbers of the machine remain, one of which overturns and the other does not.)");
   page.table({"$omega_p/p$", "by (71)", "by simulation", "relative difference"}, rows);

@@ -45,7 +45,7 @@ void a_lost_index(Page& page) {
     again: *what does each side depend on?* The paper's next sentence says *solving (86) and (88) with
     respect to* $t_i$ *and* $psi$, and that settles it.
 
-    In (94) a distinction has been lost in the same way:)");
+    In (94) a distinction has been lost in the same way (Exercise wrong-symbol-in-94):)");
   page.verdict("94a");
   page.say(R"(
     At the instant of the impact there are two velocities, before and after. A symbol that does not say
@@ -81,7 +81,8 @@ void solved(Page& page) {
         rows.push_back({fmt::format("{:.1f}", omega), conditions_of(root),
                         fmt::format("{:.5f}", root.amplitude), fmt::format("{:.3f}", *root.impact_time),
                         fmt::format("{:.3f}", root.pulse_end), is_real(root)});
-  page.say("All roots of both pairs, each followed in the linear model:");
+  page.say(
+      "All roots of both pairs, each followed in the linear model (Exercise smallest-at-five-and-a-half):");
   page.table({"$omega_p/p$", "conditions", "$a_p/(alpha*g)$", "$p*t_i$", "$p*T_ex$",
               "does the block move so? If not, why"},
              rows);

@@ -19,7 +19,8 @@ void the_cosine_pulse(Page& page) {
     So far the block stood still until the ground became strong enough. The paper now asks for the effect of
     initial conditions: an angle $theta_0$ and a rate $thetadot_0$ at $t = 0$. And it takes another pulse, a
     cosine, which begins with a jolt: its acceleration is there at once and decreases. The block is to
-    overturn to the right, $theta > 0$. The equation of motion, linear:)");
+    overturn to the right, $theta > 0$. The equation of motion, linear (Exercise constant-of-the-cosine
+    asks for what comes of it):)");
   page.argue("97");
   page.say("with the solution and its constants");
   page.result("98");
@@ -44,7 +45,7 @@ void from_rest(Page& page) {
   page.say(R"(
     Put both to zero and you have a block at rest and upright, under a cosine pulse to the right. Equation
     (103) has a root for that case, too. Is it a block that falls? Ask the equation of motion at the first
-    instant. The ground acceleration is $alpha*g$; from (97), at $theta = 0$:)");
+    instant. The ground acceleration is $alpha*g$; from (97), at $theta = 0$ (Exercise first-move):)");
   page.result("r13");
   page.say(R"(
     Negative! The block is *pushed to the left* by a ground that accelerates to the right, as lesson 4 said

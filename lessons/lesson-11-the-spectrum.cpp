@@ -69,7 +69,8 @@ std::vector<std::vector<std::string>> window_rows(double omega) {
 
 void windows(Page& page) {
   page.say(R"(
-    Take *overturned above it* first. Here are all amplitudes up to 12 for which the block falls, at
+    Take *overturned above it* first. (Exercise least-amplitude is about another ratio.) Here are all
+    amplitudes up to 12 for which the block falls, at
     $omega_p/p = 5$, found by the program:)");
   page.table({"from", "to", "width", "outcome"}, window_rows(5));
   page.say(R"(
@@ -79,7 +80,7 @@ void windows(Page& page) {
     helps any more, and the loss at the impact keeps it standing.
 
     There is an exact reason why there must be such a gap just below (71). At that threshold the block that
-    just comes back strikes with a certain velocity, computed:)");
+    just comes back strikes with a certain velocity (Exercise strike-near-first-mode), computed:)");
   page.result("r12");
   page.lemma("r12");
   page.say(R"(

@@ -28,7 +28,8 @@ void back_to_seconds(Page& page) {
     figure that comes without its size invites us to think of our own monument; work out the size first.)",
       radius, 2 * radius * page.number_of(cos(rederive::rocking_block::alpha), {{"alpha", "0.25"}}),
       2 * radius * page.number_of(sin(rederive::rocking_block::alpha), {{"alpha", "0.25"}})));
-  page.say("The length of the pulse in seconds follows from (52), divided by $p$:");
+  page.say(
+      "The length of the pulse in seconds follows from (52), divided by $p$ (Exercise length-of-a-pulse):");
   const double slow = pulse_length(1, 1) / 2.14, fast = pulse_length(4, 2) / 2.14;
   page.table({"$omega_p/p$", "$a_p/(alpha*g)$", "length of the pulse, computed", "printed"},
              {{"1", "1", fmt::format("{:.4f} s", slow), "2.201 s"},
@@ -36,7 +37,8 @@ void back_to_seconds(Page& page) {
   page.lemma("derivation_u20");
   page.say(R"(
     The second line was cut off where it should have been rounded; the first is what comes out with 3.14 for
-    $pi$, as `ledger claims c71` finds. Small things. But look at what the paper calls this number: *a period*. It is the time from the lifting of the block to
+    $pi$, as `ledger claims c71` finds. Small things. But look at what the paper calls this number: *a
+    period*. It is the time from the lifting of the block to
     the end of the pulse. The period of the sine is $2*pi/omega_p$, and the two differ by whatever $psi$
     happens to be. Names travel: a few lines later this number is put on the horizontal axis of a response
     spectrum, where the period of an *oscillator* belongs.)");

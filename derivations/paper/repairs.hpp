@@ -42,7 +42,6 @@ enum class Slip {
   missing_symbol,
   extra_symbol,
   unit,
-  missing_unit,
   assumption,
   wrong_term,
   wrong_choice,

@@ -31,6 +31,8 @@ struct LessonPages {
   std::function<std::map<std::string, std::string>()> titles;
   /// Returns the page of a lesson with the forms of exercises in a file, which forms_json has written.
   std::function<std::string(const std::string& lesson, const std::filesystem::path& forms)> page;
+  /// Returns a lesson in Markdown.
+  std::function<std::string(const std::string& lesson)> markdown;
   bool has_workbench = false;
 };
 

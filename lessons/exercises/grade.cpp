@@ -215,10 +215,10 @@ int grade(const Classroom& room, const GradeFlags& flags) {
   if (flags.missing)
     for (auto& student : entries)
       if (student.is_student) add_missing(room, rules, student);
-  apply_decisions(flags.folder, entries);  // what is wrong with their file is said at once
+  apply_decisions(room, flags.folder, entries);  // what is wrong with their file is said at once
   judge_all(room, entries,
             flags.workers != 0 ? flags.workers : std::max(1u, std::thread::hardware_concurrency()));
-  apply_decisions(flags.folder, entries);
+  apply_decisions(room, flags.folder, entries);
   if (flags.review) review(room, flags.folder, entries);
   std::vector<Student> students;
   std::ranges::copy_if(entries, std::back_inserter(students), &Student::is_student);

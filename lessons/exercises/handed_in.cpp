@@ -277,6 +277,14 @@ void fill_in(Row& row, const Bounded& outcome) {
   }
 }
 
+/// Judges an answer in a process of its own, by the student's variant if there is one.
+void judge_row(Row& row, const Prepared& common, const Exercise* variant) {
+  Desk desk;
+  fill_in(row, run_bounded([&] { return desk.judge(row, common); },
+                           row.working.empty() ? most_judging_seconds : 3 * most_judging_seconds,
+                           most_judging_megabytes, 60, [&] { desk.read(row, variant); }));
+}
+
 }  // namespace
 
 std::vector<Student> collect(const Classroom& room, const fs::path& folder, const Collecting& collecting) {
@@ -289,6 +297,8 @@ std::vector<Student> collect(const Classroom& room, const fs::path& folder, cons
     if (name != decisions_name) students.push_back(student_in(room, folder / name, collecting));
   return students;
 }
+
+void judge_row(Row& row, const Prepared& prepared) { judge_row(row, prepared, nullptr); }
 
 void judge_all(const Classroom& room, std::vector<Student>& students, unsigned workers) {
   std::map<std::string, Prepared> answers;
@@ -304,12 +314,7 @@ void judge_all(const Classroom& room, std::vector<Student>& students, unsigned w
   const auto work = [&] {
     for (std::size_t i; (i = next++) < jobs.size();) {
       Row& row = *jobs[i].first;
-      const Exercise* variant = jobs[i].second;
-      const Prepared& common = answers.at(row.exercise);
-      Desk desk;
-      fill_in(row, run_bounded([&] { return desk.judge(row, common); },
-                               row.working.empty() ? most_judging_seconds : 3 * most_judging_seconds,
-                               most_judging_megabytes, 60, [&] { desk.read(row, variant); }));
+      judge_row(row, answers.at(row.exercise), jobs[i].second);
       if (const std::size_t count = ++done; lively && (count % 20 == 0 || count == jobs.size()))
         std::fprintf(stderr, "\rJudged %zu of %zu", count, jobs.size());
     }

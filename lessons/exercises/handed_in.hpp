@@ -4,8 +4,7 @@
 //
 // A file counts although its name is written in capitals, ends in .txt.txt or without .txt, or is one edit
 // away from exactly one exercise; the row says so. What systems and editors leave behind, such as .git,
-// __MACOSX,
-// ~$x, x~, Thumbs.db and desktop.ini, is neither a student nor an answer.
+// __MACOSX, ~$x, x~, Thumbs.db and desktop.ini, is neither a student nor an answer.
 #pragma once
 
 #include <cstdint>
@@ -29,7 +28,7 @@ struct Row {
   bool ended = false;  ///< by a limit or a crash, which the note names
   std::string answer = {}, statement = {};
   std::int64_t time = 0;     ///< of the file, in seconds since 1970
-  std::string decided = {};  ///< by the teacher: "right", "half", "wrong", "reading 1"
+  std::string decided = {};  ///< by the teacher: "right", "half", "wrong", "reading x/2"
 
   bool is_judged() const { return !file.empty(); }
   /// Returns whether a teacher must decide, because the program could not. An empty file has no answer.
@@ -59,6 +58,8 @@ struct Collecting {
 /// read.
 std::vector<Student> collect(const Classroom& room, const std::filesystem::path& folder,
                              const Collecting& collecting);
+/// Judges an answer again by an exercise, in a process of its own.
+void judge_row(Row& row, const Prepared& prepared);
 /// Judges all answers, each in a process of its own, `workers` at a time.
 void judge_all(const Classroom& room, std::vector<Student>& students, unsigned workers);
 

@@ -5,6 +5,7 @@
 #include <lessons/exercises/judge_formula.hpp>
 #include <lessons/exercises/judge_number.hpp>
 #include <lessons/exercises/units.hpp>
+#include <lessons/page/prose.hpp>
 #include <numbers>
 #include <regex>
 
@@ -54,6 +55,12 @@ Opinion why_wrong_number(const Prepared& prepared, const Quantity& read) {
   }
   for (const Road& road : prepared.roads)
     if (is_near(read.value, road.number, std::max(exercise.digits, read.digits))) return road.opinion;
+  for (std::size_t k = 0; k < listed; ++k)  // 7.25 for 7.21: rounded on the way
+    if (std::abs(read.value - prepared.roads[k].number) <= 10 * allowance(prepared.roads[k].number, 3)) {
+      Opinion opinion = prepared.roads[k].opinion;
+      opinion.feedback = "Apart from its last digits: " + opinion.feedback;
+      return opinion;
+    }
   const Slip slip = usual_slip(exercise, read, right);
   if (slip != Slip::other) return wrong_number(slip);
   return wrong_answer(slip, read.value > right ? "This is too large." : "This is too small.");
@@ -75,7 +82,7 @@ Opinion judge_quantity(const Prepared& prepared, Quantity read) {
                                     slip_words(SlipTable::answer, Slip::dimension),
                                     unit_text(*read.dimension), unit_text(wanted)));
   if (is_right_value && !read.dimension && wanted != Dimension{})
-    return half_right(Outcome::wrong_form, wrong_answer(Slip::missing_unit));
+    return right_answer("Right. The unit is missing: it is read as " + page::literal(exercise.unit) + ".");
   if (is_right_value)
     return right_answer(read.in_turns ? fmt::format("Right: {} are {:.{}g} radians a second.", read.read_as,
                                                     read.value, exercise.digits)

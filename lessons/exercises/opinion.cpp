@@ -16,7 +16,6 @@ struct OutcomeWords {
 /// The words are in the order of Outcome.
 constexpr std::array outcome_words{
     OutcomeWords{"correct", "Correct."},
-    OutcomeWords{"wrong_form", "The value is right, but the form is not."},
     OutcomeWords{"correct_if", "Correct only under a condition."},
     OutcomeWords{"wrong", "Not right yet."},
     OutcomeWords{"invalid", "This could not be read; it does not count as an attempt."},
@@ -43,8 +42,8 @@ Opinion wrong_answer(const Note& note, const std::string& feedback) {
 
 Opinion wrong_answer(Slip slip) { return wrong_answer(slip, slip_words(SlipTable::answer, slip)); }
 
-Opinion half_right(Outcome outcome, Opinion opinion) {
-  opinion.outcome = outcome;
+Opinion half_right(Opinion opinion) {
+  opinion.outcome = Outcome::correct_if;
   opinion.score = 0.5;
   return opinion;
 }

@@ -11,8 +11,8 @@
 
 namespace rederive::classroom {
 
-enum class Outcome { correct, wrong_form, correct_if, wrong, invalid, undecided, ambiguous };
-/// Returns the word in JSON and CSV: "wrong_form".
+enum class Outcome { correct, correct_if, wrong, invalid, undecided, ambiguous };
+/// Returns the word in JSON and CSV: "correct_if".
 std::string to_string(Outcome outcome);
 /// Returns a sentence for a student.
 std::string in_words(Outcome outcome);
@@ -32,12 +32,12 @@ struct Opinion {
 };
 
 /// Return the opinion on a right answer; on a wrong one, with the words of slips.toml as `feedback` unless it
-/// is given, and their hint; on one that has half the score; on a text that cannot be read, with a caret; on
-/// a file that is not judged; and on an answer that cannot be decided.
+/// is given, and their hint; on one that is right under a condition, with half the score; on a text that
+/// cannot be read, with a caret; on a file that is not judged; and on an answer that cannot be decided.
 Opinion right_answer(const std::string& feedback = "");
 Opinion wrong_answer(const Note& note, const std::string& feedback);
 Opinion wrong_answer(Slip slip);
-Opinion half_right(Outcome outcome, Opinion opinion);
+Opinion half_right(Opinion opinion);
 Opinion invalid(const Note& note, const std::string& feedback);
 Opinion invalid(const language::SyntaxError& error, const std::string& text);
 Opinion refused(Trouble trouble);

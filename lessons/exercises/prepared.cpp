@@ -6,6 +6,7 @@
 #include <derivations/numbers/interval.hpp>
 #include <derivations/paper/mutate.hpp>
 #include <derivations/program/program.hpp>
+#include <functional>
 #include <lessons/exercises/prepared.hpp>
 #include <lessons/exercises/terms.hpp>
 #include <lessons/exercises/units.hpp>
@@ -110,7 +111,7 @@ void add_formulas(Prepared& prepared) {
     Relation relation = prepared.answer.relation;
     for (const auto& [name, value] : assumption.put)
       relation = decide::put_in(relation, name, parse(value, prepared.symbols));
-    add(relation, half_right(Outcome::correct_if, wrong_answer(Slip::assumption, assumption.says)));
+    add(relation, half_right(wrong_answer(Slip::assumption, assumption.says)));
   }
 }
 
@@ -135,6 +136,25 @@ Slip slip_of(const Mutant& mutant) {
   return slips.at(mutant.slip);
 }
 
+/// Calls take(wrong formula, slip) for each part of a formula that is squared, upside down, halved or raised
+/// by one, and for each function that is left out.
+void for_each_changed_part(const Tree& node, const std::function<void(const Tree&, Slip)>& take) {
+  if (node->kind == Node::Kind::number) {
+    take(product(node, number("10")), Slip::power_of_ten);
+    take(sum(node, number("1"), true), Slip::factor);
+  } else {
+    take(product(node, node), Slip::power);
+    take(product(number("1"), node, true), Slip::reciprocal);
+    take(sum(node, number("1")), Slip::extra_term);
+  }
+  take(product(node, number("2"), true), Slip::factor);
+  if (node->kind == Node::Kind::call && node->children.size() == 1)
+    take(node->children[0], Slip::wrong_function);
+  for (std::size_t k = 0; k < node->children.size(); ++k)
+    for_each_changed_part(node->children[k],
+                          [&](const Tree& child, Slip slip) { take(with_child(node, k, child), slip); });
+}
+
 /// Calls take(wrong formula, slip) for each slip of a pen in a formula for a number.
 template <class Take>
 void for_each_slip(const Tree& formula, const Paper& paper, const Take& take) {
@@ -146,6 +166,7 @@ void for_each_slip(const Tree& formula, const Paper& paper, const Take& take) {
   }
   for (const auto& [first, last] : runs_of(formula))
     take(with_flipped(formula, first, last), Slip::reciprocal);
+  for_each_changed_part(formula, take);
   take(language::put_in(formula, "pi", number("180")), Slip::degrees);
 }
 

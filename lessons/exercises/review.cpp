@@ -39,7 +39,41 @@ Key key_of(const Student& student, const Row& row) {
   return {student.name, row.exercise, unguarded(printable_line(answer))};
 }
 
-void apply(Row& row, const std::string& decision) {
+/// The decision for one of the readings of an answer is this with its text.
+constexpr std::string_view reading = "reading ";
+
+/// Returns the decision for a key; "" if the key is none for this answer.
+std::string decision_for(char key, const Row& row) {
+  const auto* const ruling = std::ranges::find(rulings, key, &Ruling::key);
+  if (ruling != rulings.end()) return ruling->word;
+  const auto& readings = row.opinion.readings;
+  const bool is_number = key > '0' && key <= '9' && static_cast<std::size_t>(key - '0') <= readings.size();
+  return is_number ? std::string(reading) + readings[static_cast<std::size_t>(key - '1')] : "";
+}
+
+const Exercise& exercise_of(const Classroom& room, const Student& student, const Row& row) {
+  const auto own = student.variants.find(row.exercise);
+  return own == student.variants.end() ? find_exercise(room, row.exercise) : own->second;
+}
+
+/// Judges the answer as the reading that is meant, unless the answer does not have it. What is not decided
+/// thereby remains to be decided.
+void apply_reading(const Exercise& exercise, Row& row, const std::string& meant) {
+  if (std::ranges::count(row.opinion.readings, meant) == 0) return;
+  const std::string answer = row.answer;
+  row.entered = meant;
+  judge_row(row, prepare(exercise));
+  row.answer = answer;
+  if (needs_teacher(row.opinion)) return;
+  row.decided = std::string(reading) + meant;
+  row.opinion.feedback = "Your teacher has read this answer as `" + meant + "`. " + feedback_of(row.opinion);
+}
+
+void apply(const Exercise& exercise, Row& row, const std::string& decision) {
+  if (decision.starts_with(reading)) {
+    apply_reading(exercise, row, decision.substr(reading.size()));
+    return;
+  }
   const auto* const ruling = std::ranges::find(rulings, decision, &Ruling::word);
   row.decided = decision;
   row.opinion = ruling->score == 1 ? right_answer(ruling->says) : wrong_answer(Note{"decided"}, ruling->says);
@@ -54,9 +88,11 @@ Decisions read_decisions(const fs::path& folder) {
   std::error_code error;
   if (!fs::exists(fs::symlink_status(file, error))) return decisions;
   for (const auto& [line, cells] : read_table(file, header)) {
-    if (std::ranges::find(rulings, cells[3], &Ruling::word) == rulings.end())
-      throw BadInput(fmt::format("{}, line {}: '{}' must be right, half or wrong", printable_name(file), line,
-                                 printable_line(cells[3])));
+    if (!cells[3].starts_with(reading) &&
+        std::ranges::find(rulings, cells[3], &Ruling::word) == rulings.end())
+      throw BadInput(
+          fmt::format("{}, line {}: '{}' must be right, half, wrong, or 'reading ' and the reading",
+                      printable_name(file), line, printable_line(cells[3])));
     decisions[{unguarded(cells[0]), cells[1], unguarded(cells[2])}] = cells[3];
   }
   return decisions;
@@ -65,7 +101,8 @@ Decisions read_decisions(const fs::path& folder) {
 void write_decisions(const fs::path& folder, const Decisions& decisions) {
   std::string text = std::string(header) + "\n";
   for (const auto& [key, decision] : decisions)
-    text += fmt::format("{},{},{},{}\n", csv_cell(key[0]), csv_cell(key[1]), csv_cell(key[2]), decision);
+    text += fmt::format("{},{},{},{}\n", csv_cell(key[0]), csv_cell(key[1]), csv_cell(key[2]),
+                        csv_cell(decision));
   write_whole(folder / decisions_name, text);
 }
 
@@ -74,14 +111,16 @@ void tell(const std::string& text) { std::fputs(text.c_str(), stderr); }
 /// Returns what the teacher must know to decide: the question, the answer, the right one, and why it is
 /// asked.
 std::string question(const Classroom& room, const Student& student, const Row& row) {
-  const auto own = student.variants.find(row.exercise);
-  const Exercise& exercise = own == student.variants.end() ? find_exercise(room, row.exercise) : own->second;
+  const Exercise& exercise = exercise_of(room, student, row);
+  std::string readings;
+  for (std::size_t k = 0; k < row.opinion.readings.size(); ++k)
+    readings += fmt::format("  [{}]      {}\n", k + 1, row.opinion.readings[k]);
   const std::string answer = row.answer.empty() ? "(" + row.opinion.note.word + ")" : row.answer;
   const std::string why = row.opinion.shows_place ? row.opinion.feedback + "\n"
                                                   : readable(row.opinion.feedback, exercise.language(), "  ");
-  return fmt::format("{}, {}\n{}\n  written: {}\n{}  right:   {}\n", printable_line(student.name),
+  return fmt::format("{}, {}\n{}\n  written: {}\n{}{}  right:   {}\n", printable_line(student.name),
                      row.exercise, readable(exercise.statement, exercise.language(), "  "), printable(answer),
-                     why, model_answer(prepare(exercise)));
+                     why, readings, model_answer(prepare(exercise)));
 }
 
 /// Returns the next key that is not a blank; 'q' at the end of the input, and for Ctrl-C and Ctrl-D.
@@ -97,13 +136,13 @@ char next_key() {
 
 }  // namespace
 
-void apply_decisions(const fs::path& folder, std::vector<Student>& students) {
+void apply_decisions(const Classroom& room, const fs::path& folder, std::vector<Student>& students) {
   const Decisions decisions = read_decisions(folder);
   for (auto& student : students)
     for (auto& row : student.rows)
       if (row.is_judged())
         if (const auto found = decisions.find(key_of(student, row)); found != decisions.end())
-          apply(row, found->second);
+          apply(exercise_of(room, student, row), row, found->second);
 }
 
 std::size_t to_decide(const std::vector<Student>& students) {
@@ -122,18 +161,20 @@ void review(const Classroom& room, const fs::path& folder, std::vector<Student>&
     for (auto& row : student.rows) {
       if (!row.is_to_decide()) continue;
       tell(fmt::format("\n[{} of {}] {}", ++number, all, question(room, student, row)));
-      const Ruling* ruling = rulings.end();
-      for (char key = 0; ruling == rulings.end() && key != 's';) {
-        tell("[r]ight  [h]alf  [w]rong  [s]kip  [q]uit: ");
+      const auto count = row.opinion.readings.size();
+      const std::string as_read = count == 0 ? "" : fmt::format("[1]-[{}] as read so  ", count);
+      std::string decision;
+      for (char key = 0; decision.empty() && key != 's';) {
+        tell(as_read + "[r]ight  [h]alf  [w]rong  [s]kip  [q]uit: ");
         key = next_key();
         tell(std::string(1, key) + "\n");
         if (key == 'q') return;
-        ruling = std::ranges::find(rulings, key, &Ruling::key);
+        decision = decision_for(key, row);
       }
-      if (ruling == rulings.end()) continue;
-      decisions[key_of(student, row)] = ruling->word;
+      if (decision.empty()) continue;
+      decisions[key_of(student, row)] = decision;
       write_decisions(folder, decisions);
-      apply(row, ruling->word);
+      apply(exercise_of(room, student, row), row, decision);
     }
 }
 

@@ -104,7 +104,8 @@ folders, __MACOSX, and what editors leave behind are no students and no answers.
 A mark is weight x score. Each attempt after the first costs a tenth of it, down to a half. In the marks,
 an empty cell means that nothing was handed in, and ? that you must decide, because the program could not
 read or decide the answer; nothing is added for it until then. --review asks for each: r right, h half
-of the marks, w wrong, s skip, q quit. The decisions are kept in DIR/decisions.csv, and count as long as
+of the marks, w wrong, s skip, q quit; 1, 2, ... is the reading of an ambiguous answer that is meant, as
+which it is judged. The decisions are kept in DIR/decisions.csv, and count as long as
 the answer is the same. The marks are out of the exercises that were set: --set, else those in --weights,
 else all that anybody handed in.
 
@@ -176,7 +177,7 @@ int run(const CLI::App& app, const Wanted& given, const Course& course) {
     flags.collecting.seed = given.seed;
     return grade(room, flags);
   }
-  if (app.got_subcommand("selftest")) return selftest(room);
+  if (app.got_subcommand("selftest")) return selftest(room, /*with_lessons=*/true);
   if (app.get_subcommands().empty()) return what_is_next(room);
   const auto* check_command = app.get_subcommand("check");
   if (!given.file.empty()) return check_file(room, given.id, given.file, false);

@@ -39,7 +39,6 @@ constexpr std::array slip_names{"",
                                 "missing_symbol",
                                 "extra_symbol",
                                 "unit",
-                                "missing_unit",
                                 "assumption",
                                 "wrong_term",
                                 "wrong_choice",
@@ -57,10 +56,17 @@ const std::array<Texts, table_names.size()>& tables() {
     std::array<Texts, table_names.size()> texts;
     for (std::size_t k = 0; k < texts.size(); ++k) texts[k] = document.named_texts(table_names[k]);
     document.done();
-    for (const auto& [note, text] : texts[static_cast<std::size_t>(SlipTable::part)]) try {
-        (void)fmt::format(fmt::runtime(text), "");
-      } catch (const fmt::format_error&) {
-        document.fail("'" + note + "' must have {} where it names the part, and no other braces", "part");
+    for (std::size_t k = 0; k < texts.size(); ++k)
+      for (const auto& [note, text] : texts[k]) {
+        const bool names = k == static_cast<std::size_t>(SlipTable::part) || note.ends_with("_symbol");
+        std::string rest = text;
+        const std::size_t place = rest.find("{}");
+        if (names && place != std::string::npos) rest.erase(place, 2);
+        if (rest.find_first_of("{}") != std::string::npos)
+          document.table(table_names[k])
+              ->fail(fmt::format("'{}' must have {}braces{}", note, names ? "no other " : "no ",
+                                 names ? " than {}, where it names the part" : ""),
+                     note);
       }
     return texts;
   }();

@@ -120,7 +120,7 @@ std::optional<Opinion> for_small_angles(const Prepared& prepared, const Relation
     };
     if (!approaches(mine, right, at)) continue;
     if (is_linear(right, at)) return wrong_answer(Slip::not_linear);
-    return half_right(Outcome::correct_if, wrong_answer(Slip::small_angle));
+    return half_right(wrong_answer(Slip::small_angle));
   }
   return {};
 }

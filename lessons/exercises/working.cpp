@@ -606,7 +606,7 @@ class Follower {
     const bool is_one_kind =
         has_before && (is_equation != steps_[k - 1].says.operators.empty() || !whole_.exercise.name.empty());
     if (is_one_kind) compared = bound_([&] { return judge_step(whole_, steps_[k - 1], step); });
-    if (compared && (compared->outcome == Outcome::correct || compared->outcome == Outcome::wrong_form))
+    if (compared && compared->outcome == Outcome::correct)
       return take(line, right_answer(), step, facts, whole_.exercise, LineStatus::follows);
     const Relation says = equation_of(step.says, k);
     Opinion implied;

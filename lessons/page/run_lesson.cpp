@@ -253,15 +253,28 @@ std::string rendered(const Front& front, const std::vector<Passage>& passages, c
 
 LessonSeries built_in_series(const Paper& paper) { return {all_lessons(), read_coverage(paper)}; }
 
-std::string lesson_page(const Paper& paper, const Lesson& lesson, const LessonSeries& series,
-                        const fs::path& forms) {
+namespace {
+
+std::string lesson_as(const std::string& format, const fs::path& forms, const Paper& paper,
+                      const Lesson& lesson, const LessonSeries& series) {
   Flags flags;
-  flags.format = "html";
+  flags.format = format;
   flags.forms = forms;
   std::string text;
   write_lesson(lesson, flags, setting_from(paper, lesson, series, flags),
                [&](const std::string& part) { text += part; });
   return text;
+}
+
+}  // namespace
+
+std::string lesson_page(const Paper& paper, const Lesson& lesson, const LessonSeries& series,
+                        const fs::path& forms) {
+  return lesson_as("html", forms, paper, lesson, series);
+}
+
+std::string lesson_in_markdown(const Paper& paper, const Lesson& lesson, const LessonSeries& series) {
+  return lesson_as("markdown", {}, paper, lesson, series);
 }
 
 int run_lesson(const Paper& paper, const Lesson& lesson, const std::function<LessonSeries()>& series,

@@ -17,6 +17,8 @@ LessonSeries built_in_series(const paper::Paper& paper);
 /// the page says how to answer.
 std::string lesson_page(const paper::Paper& paper, const Lesson& lesson, const LessonSeries& series,
                         const std::filesystem::path& forms);
+/// Returns a lesson in Markdown.
+std::string lesson_in_markdown(const paper::Paper& paper, const Lesson& lesson, const LessonSeries& series);
 /// Returns the names of the programs of all lessons, in order. They are in the folder of the program that
 /// runs.
 std::vector<std::string> all_lessons();

@@ -144,6 +144,13 @@ PaperFolder::PaperFolder(const fs::path& folder, Stale stale)
                                   if (page_name(lesson.number) == name)
                                     return lesson_page(paper_, lesson, series(), forms);
                                 throw BadInput("there is no lesson " + name);
+                              },
+                          .markdown =
+                              [this](const std::string& name) {
+                                for (const Lesson& lesson : lessons())
+                                  if (page_name(lesson.number) == name)
+                                    return lesson_in_markdown(paper_, lesson, series());
+                                throw BadInput("there is no lesson " + name);
                               }},
               .program = "rederive " + paper_.folder.filename().string() + " exercises",
               .progress = progress_of(paper_.folder)} {}

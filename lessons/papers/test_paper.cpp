@@ -106,8 +106,8 @@ class Checks {
     if (!folder_.has_exercises()) return;
     const classroom::Course& course = folder_.course();
     fmt::print("exercises: ");
-    if (classroom::selftest({course, read_exercises(course, course.exercises), course.progress}) !=
-        as_expected)
+    if (classroom::selftest({course, read_exercises(course, course.exercises), course.progress},
+                            /*with_lessons=*/true) != as_expected)
       ++complaints_;
   }
 

@@ -133,13 +133,19 @@ void explain(double value, const Arguments& arguments, Page& page) {
   throw std::runtime_error("there is no condition that leads to the value");
 }
 
-/// Returns the page that the program of a lesson writes. Throws std::runtime_error if the program fails.
-std::string page_of_lesson(const std::string& lesson, const std::filesystem::path& forms) {
-  const Said said = said_by(in_quotes(program::loaded_from().parent_path() / lesson) +
-                            " --format html --forms " + in_quotes(forms));
+/// Returns what the program of a lesson writes. Throws std::runtime_error if the program fails.
+std::string said_by_lesson(const std::string& lesson, const std::string& options) {
+  const Said said =
+      said_by(in_quotes(program::loaded_from().parent_path() / lesson) + " --format " + options);
   if (said.status != 0) throw std::runtime_error(lesson + " failed");
   return said.text;
 }
+
+std::string page_of_lesson(const std::string& lesson, const std::filesystem::path& forms) {
+  return said_by_lesson(lesson, "html --forms " + in_quotes(forms));
+}
+
+std::string markdown_of_lesson(const std::string& lesson) { return said_by_lesson(lesson, "markdown"); }
 
 }  // namespace
 
@@ -154,7 +160,10 @@ const classroom::Course& course() {
     return classroom::Course{
         .paper = paper(),
         .exercises = exercises_folder(),
-        .lessons = {.titles = titles_of_lessons, .page = page_of_lesson, .has_workbench = true},
+        .lessons = {.titles = titles_of_lessons,
+                    .page = page_of_lesson,
+                    .markdown = markdown_of_lesson,
+                    .has_workbench = true},
         .program = "exercises",
         .progress = program::state_folder() / "exercises.txt",
         .definitions = definitions,

@@ -1,6 +1,7 @@
 // What a teacher gets of a class: the gradebook, the pages to hand back, the report.
 #include <doctest/doctest.h>
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <sys/stat.h>
 
 #include <ctime>
@@ -73,9 +74,9 @@ TEST_CASE("the gradebook: score, attempts, weights and the deadline") {
   };
   const std::string head =
       "student,height-of-centre,frequency-of-a-bookcase,restitution,total,out_of,to_decide\n";
-  const std::string in_time = head + "anna,0.5,,1.6,2.1,3.5,0\nbert,,0.25,0,0.25,3.5,0\ncarl,,,,0,3.5,0\n";
+  const std::string in_time = head + "anna,0.5,,1.6,2.1,3.5,0\nbert,,0.5,0,0.5,3.5,0\ncarl,,,,0,3.5,0\n";
   const std::string dated = head.substr(0, head.size() - 1) + ",late\n",
-                    others = "bert,,0.25,0,0.25,3.5,0,\ncarl,,,,0,3.5,0,\n";
+                    others = "bert,,0.5,0,0.5,3.5,0,\ncarl,,,,0,3.5,0,\n";
   const std::string punctual = dated + "anna,0.5,,1.6,2.1,3.5,0,\n" + others;
   const std::string late = dated + "anna,0,,1.6,1.6,3.5,0,height-of-centre\n" + others;
   CHECK(book({}) == in_time);
@@ -110,7 +111,7 @@ TEST_CASE("a page a student says what was answered, what is wrong with it, a hin
                            "Correct.", "Marks: 0 of 1, after 20 attempts; handed in after the deadline"})
     CHECK_MESSAGE(contains(anna, part), part);
   for (const auto* part : {"<pre>cos(2*alpha)\n</pre>", "You have left out the rotation about C",
-                           "A hint: Write the", "Not right yet.", "The value is right, but the form is not."})
+                           "A hint: Write the", "Not right yet.", "The unit is missing: it is read as 1/s."})
     CHECK_MESSAGE(contains(bert, part), part);
   CHECK(!contains(bert, "3/2"));  // the answer itself is not in it
   CHECK(contains(read_file(room.pages / "carl.html"), "empty folder"));
@@ -127,13 +128,14 @@ TEST_CASE("a page a student says what was answered, what is wrong with it, a hin
 TEST_CASE("the report counts slips, the most common first, with typical answers and no names") {
   const ClassRoom room = small_class();
   room.hand_in("dora/restitution.txt", slip, 3, 10);
+  room.hand_in("dora/frequency-of-a-bookcase.txt", "2.69 s", 3, 10);
   room.hand_in("emil/restitution.txt", "1 - 3/2*sin(alpha", 3, 10);
   REQUIRE(room.grade({"--report", room.report.string()}).exit_code == 0);
   const std::string page = read_file(room.report);
   CHECK(contains(page, "<td>missing term</td><td>2</td><td>restitution</td>"));
   CHECK(contains(page, "<td>missing term</td><td>2</td><td><code>cos(2*alpha)</code> × 2</td>"));
   CHECK(contains(page, "1 of 4 answers are right."));
-  CHECK(page.find("<td>missing term</td>") < page.find("<td>missing unit</td>"));
+  CHECK(page.find("<td>missing term</td>") < page.find("<td>unit</td>"));
   for (const auto* name : {"anna", "bert", "dora", "emil"}) CHECK_MESSAGE(!contains(page, name), name);
 }
 
@@ -285,7 +287,40 @@ TEST_CASE("what cannot be read or decided waits for the teacher, who decides it 
   write_file(room.answers / "decisions.csv", "student,exercise,answer,decision\nanna,restitution,x,good\n");
   const Result refused = room.grade({});
   CHECK(refused.exit_code == 2);
-  CHECK(contains(refused.err, "decisions.csv, line 2: 'good' must be right, half or wrong"));
+  CHECK(contains(refused.err, "decisions.csv, line 2: 'good' must be right, half, wrong, or 'reading '"));
+}
+
+TEST_CASE("an ambiguous answer is judged as the reading that the teacher's key names, also later") {
+  const ClassRoom room;
+  for (const char* student : {"anna", "bert", "carl"})
+    room.hand_in(student + std::string("/inertia-about-corner.txt"), "1 1/3*m*R^2\n", 3, 10);
+  const auto graded = [&](const std::string& keys) {
+    return run_program(
+        "/bin/sh", {"-c", "printf '%s' '" + keys + "' | " + quoted(REDERIVE_PROGRAMS "/exercises") +
+                              " grade --json " + quoted(room.answers) + (keys.empty() ? "" : " --review")});
+  };
+  const auto scores = [](const Result& result) {
+    std::string text;
+    const json all = json::parse(result.out);
+    for (const json& row : all["grades"])
+      text += fmt::format("{} {} ", row["verdict"].get<std::string>(), row["score"].get<double>());
+    return text + all["to_decide"].dump();
+  };
+  CHECK(scores(graded("")) == "ambiguous 0 ambiguous 0 ambiguous 0 3");
+  const Result asked = graded("3 0 1 2 s");  // 3 and 0 are no readings
+  CHECK(contains(asked.err, "[1]-[2] as read so  [r]ight"));
+  const std::string decided = scores(asked);
+  CHECK_MESSAGE(
+      (decided == "correct 1 wrong 0 ambiguous 0 1" || decided == "wrong 0 correct 1 ambiguous 0 1"),
+      decided);
+  const std::string kept = read_file(room.answers / "decisions.csv");
+  CHECK(contains(kept, "anna,inertia-about-corner,1 1/3*m*R^2,reading "));
+  CHECK(scores(graded("")) == decided);
+  const json all = json::parse(graded("").out);
+  CHECK(contains(all["feedback"][0]["feedback"], "Your teacher has read this answer as"));
+  write_file(room.answers / "decisions.csv",
+             "student,exercise,answer,decision\nanna,inertia-about-corner,1 1/3*m*R^2,reading m\n");
+  CHECK(scores(graded("")) == "ambiguous 0 ambiguous 0 ambiguous 0 3");  // it is none of its readings
 }
 
 TEST_CASE("a progress file that was handed in has answers and attempts, also one of format 1") {
