@@ -36,6 +36,17 @@ Ltac continuous :=
 Tactic Notation "zero_between" ident(x) constr(a) constr(b) constr(f) :=
   destruct (intermediate_value f a b) as [x [? ?]];
   [ lra | continuous | first [ left; split; bounds | right; split; bounds ] | cbv beta in * ].
+(* Inverse functions by atan and ln: `interval` and `auto_derive` know no others. *)
+Lemma asin_by_atan u : -1 < u < 1 -> asin u = atan (u / sqrt (1 - u ^ 2)).
+Proof. intro U; rewrite asin_atan by exact U; unfold Rsqr; do 3 f_equal; ring. Qed.
+Lemma acos_by_atan u : -1 < u < 1 -> acos u = PI / 2 - atan (u / sqrt (1 - u ^ 2)).
+Proof. intro U; rewrite acos_asin by lra; now rewrite asin_by_atan. Qed.
+Ltac inverses :=
+  repeat match goal with
+         | |- context [ asin ?u ] => rewrite (asin_by_atan u) by (split; bounds)
+         | |- context [ acos ?u ] => rewrite (acos_by_atan u) by (split; bounds)
+         end;
+  unfold arcsinh.
 (* A conjunction at a point: numbers, and functions of numbers. *)
 Ltac at_the_point :=
   repeat apply conj;

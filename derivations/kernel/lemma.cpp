@@ -112,6 +112,24 @@ bool holds_at(const Relation& statement, const Witness& witness, const std::map<
   return truth == Truth::holds;
 }
 
+/// Returns the tree with inverse functions as the tactic `inverses` writes them: Coq's interval arithmetic
+/// and derivatives know atan and ln, but not asin, acos and asinh.
+Tree with_inverses(const Tree& tree) {
+  static const std::map<std::string, Tree> rules = [] {
+    Symbols symbols;
+    symbols.declare({"u", "u", "u", "1", all_numbers, "an argument", ""});
+    return std::map<std::string, Tree>{{"asin", parse("atan(u/sqrt(1 - u^2))", symbols)},
+                                       {"acos", parse("pi/2 - atan(u/sqrt(1 - u^2))", symbols)},
+                                       {"asinh", parse("log(u + sqrt(u^2 + 1))", symbols)}};
+  }();
+  if (tree->children.empty()) return tree;
+  std::vector<Tree> children;
+  for (const Tree& child : tree->children) children.push_back(with_inverses(child));
+  const auto rule = tree->kind == Node::Kind::call ? rules.find(tree->text) : rules.end();
+  return rule != rules.end() ? put_in(rule->second, "u", children[0])
+                             : make_tree(tree->kind, tree->text, std::move(children), tree->inverse);
+}
+
 /// Returns the root of a rational number as a number times the root of an integer, which has no square of a
 /// number up to 100 as a factor.
 Tree root_of(const cln::cl_RA& number) {
@@ -188,7 +206,7 @@ std::string refutation(const std::string& name, const Question& question, const 
   const std::map<std::string, Tree> at = values_at(*proof.witness, s);
   const auto put = [&](Tree tree) {
     for (const auto& [symbol, value] : at) tree = put_in(tree, symbol, value);
-    return coq_text(tree);
+    return coq_text(with_inverses(tree));
   };
   const bool holds_left = holds_at(q.left, *proof.witness, at, proof.witness->printed);
   (void)holds_at(q.right, *proof.witness, at, proof.witness->derived);
@@ -198,14 +216,18 @@ std::string refutation(const std::string& name, const Question& question, const 
   text += (holds_left ? "(" : "~ (") + coq_text(q.left) + ") /\\\n  " + (holds_left ? "~ (" : "(") +
           coq_text(q.right) + ")";
   for (const auto& [symbol, value] : at)
-    values += (values.empty() ? "" : ", ") + ("(" + coq_text(value) + ")");
+    values += (values.empty() ? "" : ", ") + ("(" + coq_text(with_inverses(value)) + ")");
   for (const Tree& tree : s.trees) say_arguments(tree, at, steps);
   for (const auto& [symbol, value] : at) say_arguments(value, {}, steps);
   text += ".\nProof.\n";
   for (const auto& [symbol, ends] : proof.witness->between)
     text += "  zero_between " + coq_name(symbol) + " (" + ends.first + ") (" + ends.second + ") (fun " +
             coq_name(symbol) + " => " + put(residual(holds_left ? q.left : q.right)) + ").\n";
-  return text + "  exists " + values + ".\n  start.\n" + steps +
+  const auto has_inverse = [](const Tree& tree) { return !is_same(with_inverses(tree), tree); };
+  const auto speaks_of_inverse = [&](const Relation& r) { return std::ranges::any_of(r.sides, has_inverse); };
+  const bool needs_inverses =
+      std::ranges::any_of(s.trees, has_inverse) || std::ranges::any_of(q.assumptions, speaks_of_inverse);
+  return text + "  exists " + values + ".\n  start.\n" + (needs_inverses ? "  inverses.\n" : "") + steps +
          "  addition_theorems.\n  at_the_point.\nQed.\n";
 }
 

@@ -35,46 +35,49 @@ PaperOfATest rod() {
     const ex linear = taylor(acceleration(), {rederive::rocking_block::theta}, 1);
     return derived(symbol("omega_0"), sqrt(-linear.coeff(rederive::rocking_block::theta, 1)), {});
   };
-  return {
-      [] {
-        declare("L", "(0, inf)", "m"), declare("J", "(0, inf)", "kg*m^2");
-        declare("omega_0", "(0, inf)", "1/s"), declare("n"), declare("theta_e", "(0, alpha)");
-        declare("in", "(0, 1)");
-      },
-      row("1", "J = m*L^2/3") + row("2", "thetaddot = -3*g/(2*L)*sin(theta)") +
-          row("3", "omega_0 = sqrt(2*g/(3*L))", "", "refuted") + row("4", "x = r^n") +
-          row("5", "x = acosh(1 + r^2)", "", "refuted") + row("6", "x = r^n", "", "refuted") +
-          row("7.1", "x + cos(x) = 2*y", "", "refuted") + row("8", "x = alpha - theta_e") +
-          row("9", "in = sin(y)^2") + row("10", "x = cos(x)/2", "", "refuted") +
-          row("11", "x*exp(x) = 2", "", "refuted") + row("12", "sqrt(b) = 2*cos(b)", "", "refuted") +
-          row("13", "log(b) = -2*b", "", "refuted") + row("14", "in*tan(in) = 1/2", "", "refuted") +
-          row("15", "b*(1 - sqrt(2/3)) = sqrt(h/6)", "", "refuted") +
-          row("16", "x = fabs(y)", "", "refuted") + row("17", "sqrt(1 + b^2) = 2/b", "", "refuted") +
-          row("18", "cosh(x)/(1 + x^2) = 2*x", "", "refuted") +
-          row("19", "omega_0 = sqrt(2*g/(3*L))", "", "refuted") + row("20", "x = sqrt((2 - sqrt(2))*b)") +
-          row("21", "x = cos(y*sqrt(1 - in^2))"),
-      {{"1", [] { return derived(symbol("J"), inertia(), {}); }},
-       {"2", [] { return derived(symbol("thetaddot"), acceleration(), {}); }},
-       {"3", frequency},
-       {"4", [] { return derived(symbol("x"), pow(symbol("r"), symbol("n")), {}); }},
-       {"5", [] { return derived(symbol("x"), acosh(1 + 2 * pow(symbol("r"), 2)), {}); }},
-       {"6", [] { return derived(symbol("x"), 2 * pow(symbol("r"), symbol("n")), {}); }},
-       {"7.1", [] { return derived(symbol("x") + cos(symbol("x")), symbol("y"), {}); }},
-       {"8", [] { return derived(symbol("x"), abs(symbol("alpha") - symbol("theta_e")), {}); }},
-       {"9", [] { return derived(symbol("in"), 1 - pow(cos(symbol("y")), 2), {}); }},
-       {"10", [] { return derived(symbol("x"), cos(symbol("x")), {}); }},
-       {"11", [] { return derived(symbol("x") * exp(symbol("x")), 1, {}); }},
-       {"12", [] { return derived(sqrt(symbol("b")), cos(symbol("b")), {}); }},
-       {"13", [] { return derived(log(symbol("b")), -symbol("b"), {}); }},
-       {"14", [] { return derived(symbol("in") * tan(symbol("in")), ex(1) / 3, {}); }},
-       {"15", [] { return derived(symbol("b"), sqrt(symbol("h") / 6), {}); }},
-       {"16", [] { return derived(symbol("x"), 2 * abs(symbol("y")), {}); }},
-       {"17", [] { return derived(sqrt(1 + pow(symbol("b"), 2)), 3 / symbol("b"), {}); }},
-       {"18", [] { return derived(cosh(symbol("x")) / (1 + pow(symbol("x"), 2)), symbol("x"), {}); }},
-       {"19",  // the root of L is that of 1 at the witness
-        [] { return derived(symbol("omega_0"), sqrt(6 * symbol("g")) / (2 * sqrt(symbol("L"))), {}); }},
-       {"20", [] { return derived(symbol("x"), sqrt(2 * symbol("b") - sqrt(ex(2)) * symbol("b")), {}); }},
-       {"21", [] { return derived(symbol("x"), cos(sqrt(1 - pow(symbol("in"), 2)) * symbol("y")), {}); }}}};
+  return {[] {
+            declare("L", "(0, inf)", "m"), declare("J", "(0, inf)", "kg*m^2");
+            declare("omega_0", "(0, inf)", "1/s"), declare("n"), declare("theta_e", "(0, alpha)");
+            declare("in", "(0, 1)");
+          },
+          row("1", "J = m*L^2/3") + row("2", "thetaddot = -3*g/(2*L)*sin(theta)") +
+              row("3", "omega_0 = sqrt(2*g/(3*L))", "", "refuted") + row("4", "x = r^n") +
+              row("5", "x = acosh(1 + r^2)", "", "refuted") + row("6", "x = r^n", "", "refuted") +
+              row("7.1", "x + cos(x) = 2*y", "", "refuted") + row("8", "x = alpha - theta_e") +
+              row("9", "in = sin(y)^2") + row("10", "x = cos(x)/2", "", "refuted") +
+              row("11", "x*exp(x) = 2", "", "refuted") + row("12", "sqrt(b) = 2*cos(b)", "", "refuted") +
+              row("13", "log(b) = -2*b", "", "refuted") + row("14", "in*tan(in) = 1/2", "", "refuted") +
+              row("15", "b*(1 - sqrt(2/3)) = sqrt(h/6)", "", "refuted") +
+              row("16", "x = fabs(y)", "", "refuted") + row("17", "sqrt(1 + b^2) = 2/b", "", "refuted") +
+              row("18", "cosh(x)/(1 + x^2) = 2*x", "", "refuted") +
+              row("19", "omega_0 = sqrt(2*g/(3*L))", "", "refuted") + row("20", "x = sqrt((2 - sqrt(2))*b)") +
+              row("21", "x = cos(y*sqrt(1 - in^2))") + row("22", "asin(in) = 5*in/4", "", "refuted") +
+              row("23", "acos(in) = in", "", "refuted") + row("24", "asinh(b) = b/2", "", "refuted"),
+          {{"1", [] { return derived(symbol("J"), inertia(), {}); }},
+           {"2", [] { return derived(symbol("thetaddot"), acceleration(), {}); }},
+           {"3", frequency},
+           {"4", [] { return derived(symbol("x"), pow(symbol("r"), symbol("n")), {}); }},
+           {"5", [] { return derived(symbol("x"), acosh(1 + 2 * pow(symbol("r"), 2)), {}); }},
+           {"6", [] { return derived(symbol("x"), 2 * pow(symbol("r"), symbol("n")), {}); }},
+           {"7.1", [] { return derived(symbol("x") + cos(symbol("x")), symbol("y"), {}); }},
+           {"8", [] { return derived(symbol("x"), abs(symbol("alpha") - symbol("theta_e")), {}); }},
+           {"9", [] { return derived(symbol("in"), 1 - pow(cos(symbol("y")), 2), {}); }},
+           {"10", [] { return derived(symbol("x"), cos(symbol("x")), {}); }},
+           {"11", [] { return derived(symbol("x") * exp(symbol("x")), 1, {}); }},
+           {"12", [] { return derived(sqrt(symbol("b")), cos(symbol("b")), {}); }},
+           {"13", [] { return derived(log(symbol("b")), -symbol("b"), {}); }},
+           {"14", [] { return derived(symbol("in") * tan(symbol("in")), ex(1) / 3, {}); }},
+           {"15", [] { return derived(symbol("b"), sqrt(symbol("h") / 6), {}); }},
+           {"16", [] { return derived(symbol("x"), 2 * abs(symbol("y")), {}); }},
+           {"17", [] { return derived(sqrt(1 + pow(symbol("b"), 2)), 3 / symbol("b"), {}); }},
+           {"18", [] { return derived(cosh(symbol("x")) / (1 + pow(symbol("x"), 2)), symbol("x"), {}); }},
+           {"19",  // the root of L is that of 1 at the witness
+            [] { return derived(symbol("omega_0"), sqrt(6 * symbol("g")) / (2 * sqrt(symbol("L"))), {}); }},
+           {"20", [] { return derived(symbol("x"), sqrt(2 * symbol("b") - sqrt(ex(2)) * symbol("b")), {}); }},
+           {"21", [] { return derived(symbol("x"), cos(sqrt(1 - pow(symbol("in"), 2)) * symbol("y")), {}); }},
+           {"22", [] { return derived(asin(symbol("in")), 11 * symbol("in") / 10, {}); }},
+           {"23", [] { return derived(acos(symbol("in")), 2 * symbol("in"), {}); }},
+           {"24", [] { return derived(asinh(symbol("b")), symbol("b") / 3, {}); }}}};
 }
 
 }  // namespace
