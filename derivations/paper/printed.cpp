@@ -168,7 +168,8 @@ class WorkingOut {
     if (!is_of_name(scan.next().code)) return std::nullopt;
     const std::string name = scan.name();
     if (name == "Σ_" || name == "Σ") return scan.at -= name.size() - std::string("Σ").size(), series(scan);
-    if (!declared(name).empty() && name != "d") return std::nullopt;
+    const bool may_begin_it = name.starts_with("d") || name == "int" || name == "sum";
+    if (!may_begin_it || (name != "d" && !declared(name).empty())) return std::nullopt;
     if (name.starts_with("d")) {
       scan.at -= name.size() - 1;
       return derivative(scan, false);
