@@ -59,12 +59,15 @@ Ltac equal :=
   first [ reflexivity | ring | field; sizes
         | let S := fresh in assert (S : sqrt 3 ^ 2 = 3) by (apply square_of_root; lra); field [S]; sizes ].
 Ltac derivative := auto_derive; [ first [ trivial | sizes ] | unfold Rminus; equal ].
+Definition tried (u : R) := True.  (* each angle is tried once, no matter how often it occurs *)
 Ltac angles_of_zero :=
   repeat match goal with
          | |- context [ ?f ?u ] =>
              lazymatch f with sin => idtac | cos => idtac | exp => idtac end;
-             lazymatch u with 0 => fail | _ => replace u with 0 by (field; fail) end
-         end.
+             lazymatch goal with _ : tried u |- _ => fail | _ => idtac end;
+             lazymatch u with 0 => fail | _ => first [ replace u with 0 by (field; fail) | assert (tried u) by exact I ] end
+         end;
+  repeat match goal with H : tried _ |- _ => clear H end.
 Lemma over_1 x : x / 1 = x. Proof. field. Qed.
 Ltac simple :=
   cbv beta; unfold sinh, cosh, cot, tan in *; angles_of_zero;

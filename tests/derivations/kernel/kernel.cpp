@@ -36,6 +36,10 @@ const std::vector<Entry>& entries() {
 
 }  // namespace
 
+TEST_CASE("the scripts of all rows and theorems compile" * doctest::skip()) {
+  if (has_tool("coqc")) compile_scripts();
+}
+
 TEST_CASE("ledger certify --check says lemma by lemma what passes, and what is assumed") {
   if (!has_tool("coqc")) return;
   const TemporaryFolder folder;
