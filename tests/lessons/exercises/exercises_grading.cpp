@@ -233,11 +233,12 @@ TEST_CASE(
 
 TEST_CASE("a file whose name is nearly right counts, with a note; what systems leave behind is nothing") {
   const ClassRoom room;
-  for (const char* name : {"anna/Restitution.TXT", "bert/restitution.txt.txt", "carl/restitutoin.txt",
-                           "dora/restitution", "Zoe\u0308/restitution.txt", "emil/restitution.txt",
-                           ".git/restitution.txt", "__MACOSX/anna/restitution.txt", "anna/._Restitution.TXT",
-                           "anna/~$restitution.txt", "anna/.#restitution.txt", "anna/restitution.txt~",
-                           "anna/Thumbs.db", "anna/desktop.ini", "anna/.DS_Store"})
+  for (const char* name :
+       {"anna/Restitution.TXT", "bert/restitution.txt.txt", "carl/restitutoin.txt", "dora/restitution",
+        "Zoe\u0308/restitution.txt", "emil/restitution.txt", ".git/restitution.txt",
+        "__MACOSX/anna/restitution.txt", "anna/._Restitution.TXT", "anna/~$restitution.txt",
+        "anna/.#restitution.txt", "anna/restitution.txt~", "anna/restitution.txt.lock", "anna/Thumbs.db",
+        "anna/desktop.ini", "anna/.DS_Store"})
     room.hand_in(name, right, 3, 10);
   room.hand_in("emil/Restitution.txt", slip, 3, 10);  // the exact name is there
   room.hand_in("fay/RESTITUTION.txt", slip, 3, 10);   // which of the two?

@@ -91,3 +91,18 @@ TEST_CASE("a lesson does not give an answer before it asks for it") {
   CHECK(number_in(bookcase, "It comes to 2.69 there.") == "2.69");
   CHECK(number_in(bookcase, "It comes to 12.69, 2.695, (2.69.1) and 2.7 there.") == "");
 }
+
+TEST_CASE("what is the answer, and what is true of an answer, is decided by the exercise") {
+  const Prepared& motion = prepared("equation-of-motion");
+  CHECK(is_the_answer(motion, "thetaddot + p^2*(sin(alpha - theta) + u_gddot/g*cos(alpha - theta)) = 0"));
+  CHECK_FALSE(is_the_answer(  // it has symbols that the exercise does not give
+      motion, "J_o*thetaddot + m*g*R*sin(alpha - theta) + m*R*u_gddot*cos(alpha - theta) = 0"));
+  Prepared bookcase = prepared("frequency-of-a-bookcase");
+  bookcase.answer.number = 2.5;
+  CHECK(number_in(bookcase, "It comes to 2.5 or 2.50 there.") == "2.50");
+  CHECK(untrue(prepared("restitution"), "1 - 3/2*sin(alpha)", "Write the unit under each term.") ==
+        "nothing in it has a unit");
+  CHECK(untrue(prepared("inertia-about-corner"), "2/3*m*R^2", "Is the sine one there?") ==
+        "there is neither a sine nor a cosine");
+  CHECK(untrue(prepared("height-of-centre"), "R*cos(alpha - theta)", "Is the sine one there?") == "");
+}

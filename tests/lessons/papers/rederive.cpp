@@ -104,11 +104,11 @@ TEST_CASE("the files of a paper are refused with file, line and field") {
                 {"emit", "--list"});
   check_refused("functions.toml", "[\"g\", \"L\"]\nbrief = \"Circular", "[\"g\"]\nbrief = \"Circular",
                 {"functions.toml:", "function frequency", "L"}, {"emit", "--list"});
-  check_refused("lesson-01.md", "{{argue 1}}", "{{argue 8}}", {"lesson-01.md:10:", "'8'"}, {"lesson", "1"});
-  check_refused("lesson-01.md", "{{argue 1}}", "{{arge 1}}", {"lesson-01.md:10:", "did you mean 'argue'"},
+  check_refused("lesson-01.md", "{{argue 1}}", "{{argue 8}}", {"lesson-01.md:12:", "'8'"}, {"lesson", "1"});
+  check_refused("lesson-01.md", "{{argue 1}}", "{{arge 1}}", {"lesson-01.md:12:", "did you mean 'argue'"},
                 {"lesson", "1"});
-  check_refused("lesson-01.md", "{{argue 1}}", "### More", {"lesson-01.md:10:", "##"}, {"lesson", "1"});
-  check_refused("lesson-01.md", "$m*L^2$", "$m*Q^2$", {"lesson-01.md:12:", "Q"}, {"lesson", "1"});
+  check_refused("lesson-01.md", "{{argue 1}}", "### More", {"lesson-01.md:12:", "##"}, {"lesson", "1"});
+  check_refused("lesson-01.md", "$m*L^2$", "$m*Q^2$", {"lesson-01.md:14:", "Q"}, {"lesson", "1"});
   check_refused("claims.toml", "L = \"1\", ", "", {"claims.toml:", "claim c1", "at"}, {"claims"});
   check_refused("claims.toml", "L = \"1\", ", "L = \"0\", ",
                 {"claims.toml:1: claim c1", "L = 0", "outside the range (0, inf)"}, {"claims"});
@@ -121,12 +121,12 @@ TEST_CASE("the files of a paper are refused with file, line and field") {
 
 TEST_CASE("exercises may ask for a number without symbols, and give bounds that are roots") {
   const Rod rod;
+  fs::remove(rod.path / "lesson-01.md");  // which asks for other exercises
   const auto write = [&](const std::string& more) {
-    write_file(
-        rod.path / "exercises.toml",
-        "[[exercise]]\nid = \"one\"\nlesson = 1\ntitle = \"One\"\nkind = \"expression\"\nexample = \"1/7\"\n"
-        "hints = [\"Look at the hinge.\", \"Look at the rod.\", \"Look at both.\"]\n" +
-            more);
+    write_file(rod.path / "exercises.toml",
+               "[[exercise]]\nid = \"one\"\ntitle = \"One\"\nkind = \"expression\"\nexample = \"1/7\"\n"
+               "hints = [\"Look at the hinge.\", \"Look at the rod.\", \"Look at both.\"]\n" +
+                   more);
   };
   write(
       "statement = \"How large is $J$ for $m = 3$ and $L = sqrt(2)$?\"\nsymbols = []\nname = \"J\"\n"
@@ -144,6 +144,45 @@ TEST_CASE("exercises may ask for a number without symbols, and give bounds that 
     CHECK_MESSAGE(tested.exit_code == 0, bound, ": ", tested.out, tested.err);
     CHECK_MESSAGE(contains(tested.out, "1 exercise, 0 variants"), tested.out);
   }
+}
+
+TEST_CASE("two folders whose papers have one name have their own classes, decisions and progress") {
+  const Rod first, second;  // the answer is 2 for the one, 4 for the other
+  const auto prepare = [](const Rod& rod, const std::string& mass) {
+    std::string text;
+    for (const std::string id : {"part-a", "part-b"})
+      text +=
+          "[[exercise]]\nid = \"" + id +
+          "\"\nlesson = 1\ntitle = \"One\"\nkind = \"expression\"\nname = \"J\"\n" +
+          "symbols = []\nstatement = \"How large is $J$?\"\nanswer = { derivation = \"1\", put = { m = \"" +
+          mass + "\", L = \"sqrt(2)\" } }\n";
+    write_file(rod.path / "exercises.toml", text);
+    for (const auto& [name, answer] :
+         {std::pair("anna/part-a.txt", "2"), {"bert/part-a.txt", "2*("}, {"carl/part-c.txt", "2"}}) {
+      fs::create_directories((rod.folder.path / "class" / name).parent_path());
+      write_file(rod.folder.path / "class" / name, answer);
+    }
+  };
+  prepare(first, "3"), prepare(second, "6");
+  const TemporaryFolder state;
+  const auto run = [&](const Rod& rod, const std::string& words, const std::string& keys = "") {
+    return run_program("/bin/sh", {"-c", "printf '%s' '" + keys + "' | XDG_STATE_HOME=" + quoted(state.path) +
+                                             " " + quoted(REDERIVE_PROGRAMS "/rederive") + " " +
+                                             quoted(rod.path) + " exercises " + words});
+  };
+  const auto graded = [&](const Rod& rod, const std::string& keys = "") {
+    return run(rod, "grade " + quoted(rod.folder.path / "class") + (keys.empty() ? "" : " --review"), keys)
+        .out;
+  };
+  CHECK(contains(graded(first, "r"), "\nbert,part-a,correct,decided,1\n"));
+  CHECK(contains(graded(first), "\nanna,part-a,correct,correct,1\nbert,part-a,correct,decided,1\n"));
+  const std::string other = graded(second);
+  CHECK(contains(other, "\nanna,part-a,wrong,"));
+  CHECK(contains(other, "\nbert,part-a,invalid,"));
+  CHECK(contains(other, "\ncarl,part-c.txt,invalid,unknown_exercise,"));  // which of the two?
+  CHECK(run(first, "check part-a 2").exit_code == 0);
+  CHECK(contains(run(first, "list").out, "1 of 2"));
+  CHECK(contains(run(second, "list").out, "0 of 2"));
 }
 
 TEST_CASE("help and errata speak of the paper in the folder") {
