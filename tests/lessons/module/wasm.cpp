@@ -1,7 +1,7 @@
 // The module of WebAssembly answers as the native programs do, to the byte: in Node and in Chromium.
 #include <doctest/doctest.h>
-#include <toml++/toml.h>
 
+#include <lessons/ledger/prove_table.hpp>
 #include <random>
 #include <tests/lessons/exercises/browser.hpp>
 #include <tests/lessons/module/built.hpp>
@@ -54,20 +54,15 @@ std::vector<Json> answers() {
   return requests;
 }
 
-/// Returns the rows of prove_table.toml.
+/// Returns the rows of prove_table.toml, without what is expected of them.
 std::vector<Json> proofs() {
-  const toml::table table = toml::parse_file(std::string(REDERIVE_SOURCE) + "/tests/prove_table.toml");
   std::vector<Json> requests;
-  for (const auto& row : *table["row"].as_array()) {
-    Json request;
-    for (const auto& [key, value] : *row.as_table())
-      if (const auto* texts = value.as_array(); texts != nullptr)
-        for (const auto& text : *texts)
-          request[std::string(key.str())].push_back(text.value<std::string>().value());
-      else if (value.is_integer())
-        request[std::string(key.str())] = value.value<int>().value();
-      else
-        request[std::string(key.str())] = value.value<std::string>().value();
+  for (const auto& row : rederive::ledger::read_table(REDERIVE_SOURCE "/tests/prove_table.toml")) {
+    Json request{{"left", row.request.left},
+                 {"right", row.request.right},
+                 {"assume", row.request.assumptions},
+                 {"small", row.request.small}};
+    if (row.request.order) request["order"] = *row.request.order;
     requests.push_back({{"prove", request}});
   }
   return requests;
