@@ -319,6 +319,7 @@ TEST_CASE("an ambiguous answer is judged as the reading that the teacher's key n
   CHECK(scores(graded("")) == decided);
   const json all = json::parse(graded("").out);
   CHECK(contains(all["feedback"][0]["feedback"], "Your teacher has read this answer as"));
+  CHECK(contains(all["feedback"][0]["answer"], "1 1/3*m*R^2"));  // as it was written
   write_file(room.answers / "decisions.csv",
              "student,exercise,answer,decision\nanna,inertia-about-corner,1 1/3*m*R^2,reading m\n");
   CHECK(scores(graded("")) == "ambiguous 0 ambiguous 0 ambiguous 0 3");  // it is none of its readings
