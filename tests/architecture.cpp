@@ -16,13 +16,14 @@ namespace {
 
 /// The folders that are about any paper.
 const std::set<std::string> knows_no_paper{
-    "language",     "numbers",           "identity",       "sign",          "decide",
-    "mechanics",    "program",           "paper",          "emit",          "kernel",
-    "lessons/page", "lessons/exercises", "lessons/ledger", "lessons/papers"};
+    "language", "reader",       "numbers",           "identity",       "sign",
+    "decide",   "mechanics",    "program",           "paper",          "emit",
+    "kernel",   "lessons/page", "lessons/exercises", "lessons/ledger", "lessons/papers"};
 
 /// The folders that a folder may include, beside itself and those that they may include.
 const std::map<std::string, std::set<std::string>> allowed{
     {"language", {}},
+    {"reader", {"language"}},
     {"numbers", {"language"}},
     {"identity", {"numbers"}},
     {"sign", {"identity"}},
@@ -30,7 +31,7 @@ const std::map<std::string, std::set<std::string>> allowed{
     {"mechanics", {"language"}},
     {"program", {"language"}},
     {"emit", {"program", "mechanics"}},
-    {"paper", {"decide", "emit"}},
+    {"paper", {"reader", "decide", "emit"}},
     {"rocking_block", {"paper"}},
     {"kernel", {"paper"}},
     {"numerics/motion", {}},
@@ -41,6 +42,7 @@ const std::map<std::string, std::set<std::string>> allowed{
 
 /// The namespace of each folder.
 const std::map<std::string, std::string> namespaces{{"language", "rederive::language"},
+                                                    {"reader", "rederive::reader"},
                                                     {"numbers", "rederive::numbers"},
                                                     {"identity", "rederive::identity"},
                                                     {"sign", "rederive::sign"},

@@ -35,13 +35,6 @@ std::vector<Token> tokenize(std::string_view text, const Symbols& symbols, const
 /// "x"} for sin2x. Returns the name alone if it is known, or if it looks like a misspelt word; a name of at
 /// most three typed characters, such as αp, never does.
 std::vector<std::string> words_in(const std::string& name, std::size_t characters, const Symbols& symbols);
-/// A product that was typed without its signs, and whether it is like 3/2x, which is read as (3/2)*x.
-struct Run {
-  Tree product;
-  bool is_fraction;
-};
-/// Returns how the whole text should be written, ": write a*b"; both readings of a/b c.
-std::string advice(const Relation& relation, const std::vector<Run>& runs, const Symbols& symbols);
 /// Returns our name of a function that has another name elsewhere: "asin" for "arcsin"; "" for other words.
 std::string function_elsewhere(std::string_view name);
 /// Returns the message for an unknown function or symbol; `quoted` is the name as it was typed.

@@ -27,24 +27,6 @@ std::vector<std::string> split(const std::string& name, const Symbols& symbols, 
   return {};
 }
 
-/// Returns the tree with runs joined to the products around them; `grouped` puts a whole run below a /.
-Tree with_runs(const Tree& tree, const std::vector<Run>& runs, bool grouped) {
-  Node result{tree->kind, tree->text, {}, {}, tree->position};
-  for (std::size_t i = 0; i < tree->children.size(); ++i) {
-    const Tree child = with_runs(tree->children[i], runs, grouped);
-    const auto run = std::ranges::find(runs, tree->children[i], &Run::product);
-    const bool is_divisor = tree->kind == Node::Kind::product && tree->inverse[i];
-    const bool is_apart = tree->kind != Node::Kind::product || run == runs.end() ||
-                          (is_divisor && grouped && !run->is_fraction);
-    const std::vector<Tree> parts = is_apart ? std::vector{child} : child->children;
-    for (std::size_t k = 0; k < parts.size(); ++k) {
-      result.children.push_back(parts[k]);
-      if (!tree->inverse.empty()) result.inverse.push_back(k == 0 && tree->inverse[i]);
-    }
-  }
-  return std::make_shared<const Node>(std::move(result));
-}
-
 bool is_no_number(std::string_view name) {
   return name == "inf" || name == "infinity" || lower_case(name) == "nan";
 }
@@ -53,24 +35,12 @@ bool is_no_number(std::string_view name) {
 
 std::vector<std::string> words_in(const std::string& name, std::size_t characters, const Symbols& symbols) {
   if (symbols.find(name) != nullptr || name.size() > longest_name) return {name};
-  const bool is_sign = name == "deg" || name == "percent";  // ° and % of generous.hpp
+  const bool is_sign = name == "deg" || name == "percent";  // ° and % of reader/
   if (is_sign || is_no_number(name) || !function_elsewhere(name).empty()) return {name};
   const auto words = split(name, symbols, 3, false);
   const bool is_meant =
       !words.empty() && (characters <= 3 || is_function(words[0]) || nearest_symbol(name, symbols).empty());
   return is_meant ? words : std::vector{name};
-}
-
-std::string advice(const Relation& relation, const std::vector<Run>& runs, const Symbols& symbols) {
-  const auto text = [&](bool grouped) {
-    Relation read = relation;
-    for (Tree& side : read.sides) side = with_runs(side, runs, grouped);
-    return print(read, Notation::plain, symbols);
-  };
-  constexpr std::size_t longest = 240;
-  const std::string grouped = text(true), flat = text(false);
-  if (std::max(grouped.size(), flat.size()) > longest) return "";
-  return ": write " + (grouped == flat ? flat : grouped + " or " + flat);
 }
 
 std::string function_elsewhere(std::string_view name) {

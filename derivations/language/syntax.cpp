@@ -1,11 +1,9 @@
-// Reads tokens into a tree by recursive descent, with one function per level of the grammar. Where a sign or
-// a parenthesis is missing, it continues as if it were there, and reports it at the end.
+// Reads tokens into a tree by recursive descent, with one function per level of the grammar.
 #include <algorithm>
 #include <derivations/language/functions.hpp>
 #include <derivations/language/lexer.hpp>
 #include <derivations/language/print.hpp>
 #include <derivations/language/syntax.hpp>
-#include <optional>
 #include <utility>
 
 namespace rederive::language {
@@ -30,11 +28,6 @@ class Parser {
     }
     if (now().is(")")) refuse(Mistake::syntax, "this parenthesis closes nothing");
     if (now().is(",")) refuse_comma();
-    if (slip_)
-      throw SyntaxError(
-          slip_->mistake, slip_->position,
-          slip_->what() + (has_open_argument_ ? "; where the argument of a function ends is not plain"
-                                              : advice(relation, runs_, symbols_)));
     return relation;
   }
 
@@ -55,10 +48,6 @@ class Parser {
   }
   [[noreturn]] void refuse(Mistake mistake, const std::string& message) const {
     refuse(mistake, message, now());
-  }
-  /// Reports an error at the end of the text, with the whole text as it was probably meant.
-  void note(Mistake mistake, const std::string& message, const Token& where) {
-    if (!slip_) slip_ = SyntaxError(mistake, where.position, message);
   }
   std::string quoted(const Token& token) const {
     const std::string_view typed = text_.substr(token.position, token.end - token.position);
@@ -115,28 +104,15 @@ class Parser {
   Tree factor() { return with_signs(&Parser::unsigned_factor); }
   Tree exponent() { return with_signs(&Parser::power); }
 
-  Tree unsigned_factor() { return operands(true); }
-
-  /// Reads one operand, or several side by side without signs between them.
-  Tree operands(bool with_functions) {
-    const std::size_t start = at_;
-    const auto is_number = [this](std::size_t at) { return tokens_[at].kind == Is::number; };
-    const bool is_fraction = start > 1 && is_number(start - 2) && tokens_[start - 1].is("/") &&
-                             is_number(start) && (start == 2 || !tokens_[start - 3].is("^"));
-    Node node{Kind::product, "", {power()}, {false}, now().position};
-    for (; now().starts_operand() && (with_functions || !is_function(now().text));
-         node.inverse.push_back(false)) {
-      if (now().text == "and" || now().text == "or")
-        refuse(Mistake::syntax, "one statement at a time: " + quoted(now()) + " is not read here");
-      if (is_number(at_ - 1) && is_number(at_))
-        refuse(Mistake::implicit_multiplication,
-               "two numbers side by side may be a sum, as in 1 1/2, or a product: the sign is missing");
-      note(Mistake::implicit_multiplication, "a product needs its '*'", now());
-      node.children.push_back(power());
-    }
-    if (node.children.size() == 1) return node.children[0];
-    runs_.push_back({std::make_shared<const Node>(node), is_fraction});
-    return runs_.back().product;
+  Tree unsigned_factor() {
+    const Tree first = power();
+    if (!now().starts_operand()) return first;
+    if (now().text == "and" || now().text == "or")
+      refuse(Mistake::syntax, "one statement at a time: " + quoted(now()) + " is not read here");
+    if (tokens_[at_ - 1].kind == Is::number && now().kind == Is::number)
+      refuse(Mistake::implicit_multiplication,
+             "two numbers side by side may be a sum, as in 1 1/2, or a product: the sign is missing");
+    refuse(Mistake::implicit_multiplication, "a product needs its '*'");
   }
 
   Tree power() {
@@ -175,9 +151,9 @@ class Parser {
     if (token.kind == Is::number) return make_tree(Kind::number, take().text, {}, {}, token.position);
     if (token.kind == Is::name) return name();
     if (take_if("(")) {
-      const Tree inside = sum();
+      Tree inside = sum();
       close(token);
-      return std::make_shared<const Node>(*inside);  // not a run of what surrounds it
+      return inside;
     }
     if (!take_if("sqrt")) refuse_operand();
     go_down();
@@ -220,8 +196,8 @@ class Parser {
 
   Tree call(const Token& function) {
     Tree exponent = exponent_before_argument(function);
-    const std::vector<Tree> arguments =
-        now().is("(") ? this->arguments() : bare_argument(function, exponent != nullptr);
+    if (!now().is("(")) refuse_bare_argument(function);
+    const std::vector<Tree> arguments = this->arguments();
     const bool is_power = function.text == "pow";
     const std::string wanted = is_power ? "' takes 2 arguments, not " : "' takes 1 argument, not ";
     if (arguments.size() != (is_power ? 2 : 1))
@@ -240,9 +216,7 @@ class Parser {
       refuse(Mistake::syntax,
              "this may mean 1/" + function.text + "(x) or a" + function.text + "(x): write which");
     if (is_raised) return superscript();
-    note(Mistake::syntax, "an exponent comes after the argument", function);
-    take();
-    return primary();
+    refuse(Mistake::syntax, "an exponent comes after the argument", function);
   }
 
   std::vector<Tree> arguments() {
@@ -254,21 +228,12 @@ class Parser {
     return arguments;
   }
 
-  /// Reads an argument without parentheses. In sin 2x cos y it ends before the next function.
-  std::vector<Tree> bare_argument(const Token& function, bool is_raised) {
-    if (!now().starts_operand())
-      refuse(Mistake::syntax, "a function needs its argument: write " + function.text + "(x)", function);
-    note(is_raised ? Mistake::syntax : Mistake::implicit_multiplication, "a function needs parentheses",
-         function);
-    go_down();
-    const Tree argument = back_up(operands(false));
-    const auto is_name_or_number = [](const Tree& part) { return part->children.empty(); };
-    const bool is_plain =
-        is_name_or_number(argument) ||
-        (argument->kind == Kind::product && std::ranges::all_of(argument->children, is_name_or_number));
-    const bool goes_on = is_either("+", "-") || is_either("*", "/");
-    has_open_argument_ = has_open_argument_ || !is_plain || goes_on;
-    return {argument};
+  [[noreturn]] void refuse_bare_argument(const Token& function) const {
+    const bool is_raised = tokens_[at_ - 1].kind == Is::superscript;
+    if (now().starts_operand())
+      refuse(is_raised ? Mistake::syntax : Mistake::implicit_multiplication, "a function needs parentheses",
+             function);
+    refuse(Mistake::syntax, "a function needs its argument: write " + function.text + "(x)", function);
   }
 
   std::string_view text_;
@@ -276,9 +241,6 @@ class Parser {
   const Limits& limits_;
   std::vector<Token> tokens_;
   std::size_t at_ = 0, depth_ = 0;
-  std::optional<SyntaxError> slip_;
-  std::vector<Run> runs_;
-  bool has_open_argument_ = false;  ///< as in sin x + y, sin x^2
 };
 
 }  // namespace

@@ -25,7 +25,7 @@ GiNaC::ex expression(const std::string& text, const Symbols& symbols) {
   try {
     return lower(parse(text, symbols), symbols);
   } catch (const SyntaxError& error) {
-    throw std::runtime_error(explain(error, text));
+    throw std::runtime_error(explain(error, text, symbols));
   }
 }
 
@@ -38,7 +38,7 @@ void check_mathematics(const std::string& words, const Symbols& symbols) {
     try {
       (void)parse_statement(text, symbols);
     } catch (const SyntaxError& error) {
-      throw std::runtime_error("the step '" + words + "': " + explain(error, text));
+      throw std::runtime_error("the step '" + words + "': " + explain(error, text, symbols));
     }
     begin = end + 1;
   }

@@ -10,6 +10,7 @@
 #include <derivations/paper/ledger.hpp>
 #include <derivations/paper/printed.hpp>
 #include <derivations/paper/prove.hpp>
+#include <derivations/reader/generous.hpp>
 #include <functional>
 #include <set>
 
@@ -457,8 +458,8 @@ void read_printed(const Paper& paper, Row& row) {
   } catch (const SyntaxError& error) {
     const std::string& text = is_latex ? row.latex : row.claim();
     const std::string rest = text.substr(std::min(error.position, text.size()));
-    fail(field,
-         error.what() + (rest.empty() ? std::string(", at the end") : ", at '" + printable_line(rest) + "'"));
+    fail(field, error.what() + reader::advice(error, text, paper.symbols) +
+                    (rest.empty() ? std::string(", at the end") : ", at '" + printable_line(rest) + "'"));
   } catch (const std::exception& error) {
     fail(field, error.what());
   }

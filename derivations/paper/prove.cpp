@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <derivations/decide/decide.hpp>
-#include <derivations/language/generous.hpp>
 #include <derivations/language/print.hpp>
 #include <derivations/language/text.hpp>
 #include <derivations/paper/conditions.hpp>
 #include <derivations/paper/prove.hpp>
+#include <derivations/reader/generous.hpp>
 #include <regex>
 
 namespace rederive::paper {
@@ -57,7 +57,7 @@ void declare_names_in(const std::string& text, Symbols& symbols) {
 
 /// Returns the only reading of what people write. Throws BadInput if there are several, with their texts.
 Relation read_generously(const std::string& text, const Symbols& symbols) {
-  const Readings readings = generous_readings(text, {.symbols = symbols});
+  const reader::Readings readings = reader::generous_readings(text, {.symbols = symbols});
   if (readings.all.size() == 1) return readings.all[0];
   throw BadInput("it is not clear " + readings.reason + ": write '" + print(readings.all[0]) + "' or '" +
                  print(readings.all[1]) + "'");
@@ -65,7 +65,7 @@ Relation read_generously(const std::string& text, const Symbols& symbols) {
 
 /// A statement that a user typed. Throws BadInput, with a caret.
 Relation read(const std::string& text, const Symbols& symbols, bool generous = false) {
-  return reading(text, [&] {
+  return reading(text, symbols, [&] {
     Relation relation = generous ? read_generously(text, symbols) : parse_statement(text, symbols);
     for (const Tree& side : relation.sides) (void)lower(side, symbols);  // refuses what has no value at once
     return relation;
@@ -83,7 +83,9 @@ Relation read_assumption(const std::string& text, const Symbols& symbols) {
     return relation;
   }
   // the right side is read at its place, so that an error is shown there
-  const auto side = [&](const std::string& it) { return reading(text, [&] { return parse(it, symbols); }); };
+  const auto side = [&](const std::string& it) {
+    return reading(text, symbols, [&] { return parse(it, symbols); });
+  };
   return {{side(text.substr(0, at)), side(std::string(at + 2, ' ') + text.substr(at + 2))}, {"!="}};
 }
 
@@ -260,6 +262,11 @@ std::string word_of(Mistake mistake) {
 std::string word_of(By by) {
   constexpr const char* words[] = {"", "identity", "sign", "points", "expansion"};
   return words[static_cast<int>(by)];
+}
+
+std::string explain(const SyntaxError& error, std::string_view text, const Symbols& symbols) {
+  const std::string message = error.what() + reader::advice(error, text, symbols);
+  return explain(SyntaxError(error.mistake, error.position, message), text);
 }
 
 std::string explain(const SyntaxError& error, std::string_view text) {

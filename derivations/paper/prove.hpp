@@ -42,6 +42,9 @@ std::string word_of(decide::By by);
 /// The message, the line and a caret under the character at fault: three lines for a terminal. A long line is
 /// shown around that character.
 std::string explain(const language::SyntaxError& error, std::string_view text);
+/// The same, with how the strict grammar writes a text in which a sign or a parenthesis is missing.
+std::string explain(const language::SyntaxError& error, std::string_view text,
+                    const language::Symbols& symbols);
 
 /// A witness: "x = 2/5", "alpha = pi/6", "y between 0.739 and 0.740 where y - cos(y) = 0", "h ≈ 0.9449": a
 /// text for every symbol.
@@ -49,11 +52,11 @@ std::vector<std::string> in_words(const decide::Witness& witness);
 
 /// Runs `read`; what it finds wrong with `text`, which a user typed, becomes BadInput, with a caret.
 template <class Read>
-auto reading(const std::string& text, Read read) {
+auto reading(const std::string& text, const language::Symbols& symbols, Read read) {
   try {
     return read();
   } catch (const language::SyntaxError& error) {
-    throw program::BadInput(explain(error, text));
+    throw program::BadInput(explain(error, text, symbols));
   }
 }
 

@@ -114,7 +114,7 @@ std::string read_back(const Exercise& exercise, const std::string& text) {
         return in_html(
             exercise.paper(),
             {Paragraph{"Read as: " + as_code(parse_quantity(without_name(exercise, text)).read_as)}});
-      const Readings readings = read_answer(exercise, text);
+      const reader::Readings readings = read_answer(exercise, text);
       std::string html = "Read as: ";
       for (const Relation& read : readings.all)
         html += fmt::format("{}<span data-plain=\"{}\" data-latex=\"{}\">{}</span>",

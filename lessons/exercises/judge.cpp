@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cctype>
-#include <derivations/language/generous.hpp>
 #include <derivations/program/bounded.hpp>
+#include <derivations/reader/generous.hpp>
 #include <lessons/exercises/judge.hpp>
 #include <lessons/exercises/judge_formula.hpp>
 #include <lessons/exercises/judge_number.hpp>
@@ -50,7 +50,7 @@ Opinion judge_option(const Prepared& prepared, const std::string& text) {
 
 /// Returns the number of the term that was typed instead of pointed at; 0 if it is none of them.
 std::size_t term_like(const std::string& text, const std::vector<Tree>& terms, const Symbols& symbols) {
-  const Relation read = generous_readings(text, {.symbols = symbols}).all[0];
+  const Relation read = reader::generous_readings(text, {.symbols = symbols}).all[0];
   for (std::size_t i = 0; i < terms.size(); ++i)
     if (decide::decide(read, Relation{{terms[i]}, {}}, symbols).verdict == Verdict::proved) return i + 1;
   return 0;

@@ -95,13 +95,13 @@ void check_relation(const Exercise& exercise, const std::string& relation) {
         fmt::format("'{}' is not what is asked for: write {} = and a value", relation, exercise.name));
 }
 
-Readings readings_of(const Exercise& exercise, const std::string& text) {
-  return generous_readings(text, {.symbols = exercise.language(), .given = exercise.symbols});
+reader::Readings readings_of(const Exercise& exercise, const std::string& text) {
+  return reader::generous_readings(text, {.symbols = exercise.language(), .given = exercise.symbols});
 }
 
-Readings read_answer(const Exercise& exercise, const std::string& text) {
+reader::Readings read_answer(const Exercise& exercise, const std::string& text) {
   refuse_unit(exercise, text);
-  Readings readings = readings_of(exercise, text);
+  reader::Readings readings = readings_of(exercise, text);
   const bool is_equation = exercise.kind == Kind::equation;
   for (Relation& read : readings.all) {
     const bool is_named = read.sides.size() == 2 && is_asked_for(exercise, read.sides[0]);
@@ -117,7 +117,7 @@ Readings read_answer(const Exercise& exercise, const std::string& text) {
 
 Opinion judge_formula(const Prepared& prepared, const std::string& text) {
   try {
-    const Readings readings = read_answer(prepared.exercise, text);
+    const reader::Readings readings = read_answer(prepared.exercise, text);
     std::vector<Opinion> opinions;
     for (const Relation& read : readings.all) opinions.push_back(judge_formula(prepared, read));
     return opinion_on_all(opinions, readings.reason);

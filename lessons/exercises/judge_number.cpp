@@ -106,7 +106,7 @@ std::string without_name(const Exercise& exercise, const std::string& typed) {
   const std::size_t at = text.find_first_of("=<>");
   if (at == std::string::npos) return text;
   try {
-    const Readings left = readings_of(exercise, text.substr(0, at));
+    const reader::Readings left = readings_of(exercise, text.substr(0, at));
     if (!is_asked_for(exercise, left.all[0].sides[0])) return text;
   } catch (const SyntaxError&) {
     return text;

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cctype>
 #include <derivations/decide/problem.hpp>
-#include <derivations/language/generous.hpp>
 #include <derivations/language/print.hpp>
+#include <derivations/reader/generous.hpp>
 #include <lessons/exercises/trees.hpp>
 #include <lessons/exercises/units.hpp>
 #include <limits>
@@ -207,7 +207,8 @@ bool is_unit(const std::string& text) {
 
 std::pair<std::vector<Quantity>, std::string> quantities_in(const std::string& text) {
   try {
-    const Readings readings = generous_readings(text, {.symbols = unit_symbols(), .units = true});
+    const reader::Readings readings =
+        reader::generous_readings(text, {.symbols = unit_symbols(), .units = true});
     std::vector<Quantity> all;
     for (const Relation& read : readings.all) {
       if (!read.operators.empty())

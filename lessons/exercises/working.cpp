@@ -45,7 +45,7 @@ Relation read_one(const Exercise& exercise, const Symbols& symbols, const std::s
   std::vector<std::string> given = exercise.symbols;
   for (const std::string& name : symbols.names())
     if (name != "e") given.push_back(name);
-  const Readings readings = generous_readings(text, {.symbols = symbols, .given = given});
+  const reader::Readings readings = reader::generous_readings(text, {.symbols = symbols, .given = given});
   if (readings.all.size() == 1) return readings.all[0];
   throw SyntaxError(Mistake::syntax, 0,
                     "it is not clear " + readings.reason + ": " + as_typed(print(readings.all[0])) + " or " +

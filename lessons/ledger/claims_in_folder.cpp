@@ -34,11 +34,11 @@ GiNaC::ex with_results(const Tree& tree, const Claim& claim, const Paper& paper)
 
 /// Calls `read`. Throws BadInput, with the place of the claim, for what cannot be read.
 template <class Read>
-auto read_of(const Claim& claim, const std::string& text, const Read& read) {
+auto read_of(const Paper& paper, const Claim& claim, const std::string& text, const Read& read) {
   try {
     return read();
   } catch (const SyntaxError& error) {
-    throw BadInput(claim.place + ": claim " + claim.id + ": " + explain(error, text));
+    throw BadInput(claim.place + ": claim " + claim.id + ": " + explain(error, text, paper.symbols));
   } catch (const std::out_of_range&) {
     throw BadInput(claim.place + ": claim " + claim.id + ": 'at' has a symbol that is not declared");
   }
@@ -53,7 +53,7 @@ int digits_of(const std::string& printed) {
 }
 
 Finding check_value(const Claim& claim, const Paper& paper) {
-  const Tree value = read_of(claim, claim.value, [&] {
+  const Tree value = read_of(paper, claim, claim.value, [&] {
     return to_tree(with_results(parse(claim.value, paper.symbols), claim, paper), paper.symbols);
   });
   const int digits = digits_of(claim.printed);
@@ -68,13 +68,13 @@ Finding check_value(const Claim& claim, const Paper& paper) {
   }
   if (!found) return {undecided, {"no value"}};
   const auto exact = [&](const std::string& text) {
-    return lower(read_of(claim, text, [&] { return parse(text, paper.symbols); }), paper.symbols);
+    return lower(read_of(paper, claim, text, [&] { return parse(text, paper.symbols); }), paper.symbols);
   };
   return {(exact(*found) - exact(claim.printed)).is_zero() ? confirmed : refuted, {*found}};
 }
 
 Finding check_relation(const Claim& claim, const Paper& paper) {
-  const Relation relation = read_of(claim, claim.holds, [&] {
+  const Relation relation = read_of(paper, claim, claim.holds, [&] {
     Relation read = parse_relation(claim.holds, paper.symbols);
     for (Tree& side : read.sides) side = to_tree(with_results(side, claim, paper), paper.symbols);
     return read;
@@ -96,7 +96,7 @@ Finding check_relation(const Claim& claim, const Paper& paper) {
 void check_ranges(const Claim& claim, const Paper& paper) {
   std::map<std::string, Tree> values;
   for (const auto& pair : claim.at)  // Clang 14 captures no structured binding
-    values[pair.first] = read_of(claim, pair.second, [&] {
+    values[pair.first] = read_of(paper, claim, pair.second, [&] {
       (void)paper.symbols[pair.first];
       return parse(pair.second, paper.symbols);
     });

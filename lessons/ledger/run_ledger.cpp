@@ -183,7 +183,7 @@ void take_rows(Options& options) {
 
 /// Returns a symbol's name in ASCII, θ as theta, without blanks around it.
 std::string symbol_name(const std::string& text, const Symbols& symbols) {
-  const auto tokens = reading(text, [&] { return tokenize(text, symbols, {}); });
+  const auto tokens = reading(text, symbols, [&] { return tokenize(text, symbols, {}); });
   return tokens.size() == 2 && tokens[0].kind == Token::Kind::name ? tokens[0].text : text;
 }
 

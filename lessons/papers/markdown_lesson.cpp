@@ -144,7 +144,7 @@ class Reader {
     try {
       return parse_statement(text, paper_.symbols);
     } catch (const SyntaxError& error) {
-      fail(line, explain(error, text));
+      fail(line, explain(error, text, paper_.symbols));
     }
   }
 
@@ -261,7 +261,7 @@ class Reader {
         try {
           return page.number_of(lower(parse(one, paper_.symbols), paper_.symbols));
         } catch (const SyntaxError& error) {
-          fail(line, explain(error, one));
+          fail(line, explain(error, one, paper_.symbols));
         } catch (const std::invalid_argument&) {
           fail(line, "the ends of the range of " + name + " must be numbers");
         }

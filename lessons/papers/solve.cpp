@@ -247,8 +247,9 @@ std::map<std::string, double> values_in(const std::vector<std::string>& texts, c
     const std::size_t sign = text.find('=');
     if (sign == text.npos) throw BadInput("'" + printable_line(text) + "' must be a value such as theta=0.5");
     const std::string name = trimmed(text.substr(0, sign)), value = trimmed(text.substr(sign + 1));
-    values[name] = reading(
-        value, [&] { return Page(paper).number_of(lower(parse(value, paper.symbols), paper.symbols)); });
+    values[name] = reading(value, paper.symbols, [&] {
+      return Page(paper).number_of(lower(parse(value, paper.symbols), paper.symbols));
+    });
   }
   return values;
 }
@@ -277,7 +278,7 @@ Problem problem_of(const TaylorStepper& stepper, const SolveOptions& options, co
     problem.rates.push_back(compiler.compiled(to_tree(rate, paper.symbols)));
   for (const std::string& text : events)
     problem.events.emplace_back(
-        text, reading(text, [&] {
+        text, reading(text, paper.symbols, [&] {
           const Relation relation = parse_relation(text, paper.symbols);
           return compiler.compiled(make_tree(Node::Kind::sum, "", relation.sides, {false, true}));
         }));

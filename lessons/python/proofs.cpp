@@ -63,7 +63,7 @@ auto judged(const Source& source, Report report) {
       try {
         entries.push_back(judge(paper, row));
       } catch (const SyntaxError& error) {
-        throw BadInput("row " + row.id + ": " + explain(error, row.printed));
+        throw BadInput("row " + row.id + ": " + explain(error, row.printed, paper.symbols));
       } catch (const std::invalid_argument& error) {
         throw BadInput("row " + row.id + ": " + error.what());
       }

@@ -7,7 +7,11 @@
 #include <string_view>
 #include <vector>
 
-namespace rederive::language {
+namespace rederive::reader {
+
+using language::Limits;
+using language::Relation;
+using language::Symbols;
 
 /// What a reader of answers knows besides the symbols.
 struct Vocabulary {
@@ -27,4 +31,10 @@ struct Readings {
 /// so has any text that print() wrote. Throws SyntaxError for what cannot be read; the place is in `text`.
 Readings generous_readings(std::string_view text, const Vocabulary& reader, const Limits& limits = {});
 
-}  // namespace rederive::language
+/// Returns how a text that the strict grammar refuses is written, ": write 2*x" or ": write a/b*c or
+/// a/(b*c)";
+/// "; … is not clear" if it has more than two readings; "" if it cannot be read or is long, and for errors
+/// that are not about signs, parentheses and notations.
+std::string advice(const language::SyntaxError& error, std::string_view text, const Symbols& symbols);
+
+}  // namespace rederive::reader

@@ -5,19 +5,21 @@
 #include <algorithm>
 #include <bit>
 #include <derivations/language/functions.hpp>
-#include <derivations/language/generous.hpp>
 #include <derivations/language/lexer.hpp>
 #include <derivations/language/lower.hpp>
 #include <derivations/language/print.hpp>
-#include <derivations/language/spelling.hpp>
 #include <derivations/language/syntax.hpp>
 #include <derivations/language/text.hpp>
+#include <derivations/reader/generous.hpp>
+#include <derivations/reader/spelling.hpp>
 #include <functional>
 #include <optional>
 #include <set>
 #include <utility>
 
-namespace rederive::language {
+namespace rederive::reader {
+using namespace language;
+
 namespace {
 using Kind = Node::Kind;
 using Is = Token::Kind;
@@ -71,6 +73,15 @@ std::string in_ascii(const std::string& displayed) {
   return name;
 }
 
+/// Returns whether a cut before this byte parts a letter from its dots or its bar, which decoding wrote as
+/// words.
+bool parts_a_mark(std::string_view name, std::size_t cut) {
+  for (const std::string_view mark : {"ddot", "dot", "bar"})
+    for (std::size_t at = name.find(mark); at != name.npos; at = name.find(mark, at + 1))
+      if (cut >= at && cut < at + mark.size()) return true;
+  return false;
+}
+
 /// Turns names that are not known into the names and numbers of which they consist.
 class Words {
  public:
@@ -82,12 +93,14 @@ class Words {
   }
 
   /// Returns the words; the name alone if it has none, or may be misspelt.
-  std::vector<std::string> of(const std::string& name, bool is_typed_in_greek) const {
+  std::vector<std::string> of(const std::string& name, std::string_view typed) const {
+    const bool has_marks = std::ranges::any_of(typed, [](char c) { return (c & 0x80) != 0; });
     if (const std::string known = word(name); !known.empty()) return {known};
     if (name.size() > longest_name) return {name};
     std::vector<std::vector<std::string>> best(name.size() + 1);  // of the first bytes of the name
     for (std::size_t end = 1; end <= name.size(); ++end)
       for (std::size_t start = 0; start < end; ++start) {
+        if (has_marks && parts_a_mark(name, start)) continue;
         const std::string part = name.substr(start, end - start);
         const bool is_after_function =
             start > 0 && !best[start].empty() && !function_of(best[start].back()).empty();
@@ -103,7 +116,7 @@ class Words {
       }
     const auto& words = best.back();
     const auto is_long = [&](const std::string& w) { return !function_of(w).empty() || w[0] == '^'; };
-    const bool may_be_misspelt = name.size() > 3 && !is_typed_in_greek && !units_ &&
+    const bool may_be_misspelt = typed.size() > 3 && !has_marks && !units_ &&
                                  std::ranges::none_of(words, is_long) && !nearest_to(name).empty();
     const bool is_refused = words.empty() || may_be_misspelt || (units_ && words.size() > 2);
     return is_refused ? std::vector{name} : words;
@@ -141,8 +154,7 @@ Tokens with_words(const Tokens& tokens, const Vocabulary& reader, std::string_vi
       continue;
     }
     const std::string_view typed = text.substr(token.position, token.end - token.position);
-    const bool is_greek = std::ranges::any_of(typed, [](char c) { return (c & 0x80) != 0; });
-    for (const std::string& word : words.of(token.text, is_greek || typed.size() <= 3)) {
+    for (const std::string& word : words.of(token.text, typed)) {
       Token part = token;
       part.text = word;
       if (word[0] == '^') part = {Is::superscript, word.substr(1), token.position, token.end};
@@ -269,8 +281,10 @@ class Generous {
       add(run, operand(), false);
     }
     const bool is_number = behind == start + 1 && tokens_[start].kind == Is::number;
+    const bool is_coefficient =  // 1/3 m, not 2x/3 m
+        has_blank(behind) && !node.children.empty() && node.children.back()->kind == Kind::number;
     const bool is_plain = !is_divisor || run.children.size() == 1 ||
-                          (is_number && (has_blank(behind) || is_unit(tokens_[behind])));
+                          (is_number && (is_coefficient || is_unit(tokens_[behind])));
     const bool is_grouped = !is_plain && second(Doubt::divisor);
     if (is_grouped) return add(node, std::make_shared<const Node>(run), true);
     for (std::size_t k = 0; k < run.children.size(); ++k)
@@ -665,4 +679,21 @@ Readings generous_readings(std::string_view text, const Vocabulary& reader, cons
   }
 }
 
-}  // namespace rederive::language
+std::string advice(const SyntaxError& error, std::string_view text, const Symbols& symbols) {
+  constexpr std::size_t longest = 240;
+  const bool may_be_read =
+      error.mistake == Mistake::implicit_multiplication || error.mistake == Mistake::syntax;
+  if (!may_be_read || text.size() > longest) return "";
+  try {
+    const Readings readings = generous_readings(text, {.symbols = symbols});
+    if (readings.all.size() > 2) return "; " + readings.reason + " is not clear";
+    std::string written;
+    for (const Relation& read : readings.all)
+      written += (written.empty() ? ": write " : " or ") + print(read, Notation::plain, symbols);
+    return written;
+  } catch (const SyntaxError&) {
+    return "";
+  }
+}
+
+}  // namespace rederive::reader

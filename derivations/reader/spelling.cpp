@@ -4,12 +4,14 @@
 #include <cctype>
 #include <derivations/language/functions.hpp>
 #include <derivations/language/lexer.hpp>
-#include <derivations/language/spelling.hpp>
 #include <derivations/language/text.hpp>
+#include <derivations/reader/spelling.hpp>
 #include <regex>
 #include <utility>
 
-namespace rederive::language {
+namespace rederive::reader {
+using namespace language;
+
 namespace {
 using Match = std::match_results<std::string_view::const_iterator>;
 
@@ -526,4 +528,4 @@ class Speller {
 
 Spelt spell(std::string_view typed, const Limits& limits) { return Speller(typed, limits).run(); }
 
-}  // namespace rederive::language
+}  // namespace rederive::reader

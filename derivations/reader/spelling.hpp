@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-namespace rederive::language {
+namespace rederive::reader {
 
 /// A text in characters that the tokenizer knows, with the place in the typed text of every byte.
 struct Spelt {
@@ -16,6 +16,6 @@ struct Spelt {
 
 /// Rewrites LaTeX, brackets, bars, decimal commas, fractions in one character, primes, d/dt, signs for
 /// degrees and percent. Throws SyntaxError for an empty placeholder, unknown commands and 1,234.5.
-Spelt spell(std::string_view typed, const Limits& limits);
+Spelt spell(std::string_view typed, const language::Limits& limits);
 
-}  // namespace rederive::language
+}  // namespace rederive::reader

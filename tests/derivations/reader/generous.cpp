@@ -1,14 +1,15 @@
 // What students write, with what must be read; what is echoed is read as the same tree.
 #include <doctest/doctest.h>
 
-#include <derivations/language/generous.hpp>
 #include <derivations/paper/prove.hpp>
+#include <derivations/reader/generous.hpp>
 #include <tests/block.hpp>
 #include <tests/cases.hpp>
 #include <tests/random.hpp>
 
 using namespace rederive::language;
 using namespace rederive::paper;
+using namespace rederive::reader;
 using namespace rederive::test;
 using Text = std::string;
 
@@ -122,6 +123,17 @@ TEST_CASE("what has two readings is read in both, and neither is preferred") {
 
 TEST_CASE("what cannot be read is refused") {
   each_case("refused", [](const Text& typed, const Text& note) { CHECK(note_of(typed) == note); });
+}
+
+TEST_CASE("the strict grammar's error says how the text is written, for one or two readings") {
+  each_case("advised", [](const Text& typed, const Text& says) {
+    try {
+      (void)parse_statement(typed);
+      FAIL("the strict grammar reads ", typed);
+    } catch (const SyntaxError& error) {
+      CHECK_MESSAGE(advice(error, typed, paper_symbols()) == says, typed);
+    }
+  });
 }
 
 TEST_CASE("printed trees are read back as the same trees, and from LaTeX as the same value") {
