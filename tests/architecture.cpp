@@ -16,9 +16,10 @@ namespace {
 
 /// The folders that are about any paper.
 const std::set<std::string> knows_no_paper{
-    "language", "reader",       "numbers",           "identity",       "sign",
-    "decide",   "mechanics",    "program",           "paper",          "emit",
-    "kernel",   "lessons/page", "lessons/exercises", "lessons/ledger", "lessons/papers"};
+    "language",       "reader",        "numbers",       "identity",     "sign",
+    "decide",         "mechanics",     "program",       "paper",        "emit",
+    "kernel",         "manuscript",    "lessons/check", "lessons/page", "lessons/exercises",
+    "lessons/ledger", "lessons/papers"};
 
 /// The folders that a folder may include, beside itself and those that they may include.
 const std::map<std::string, std::set<std::string>> allowed{
@@ -34,6 +35,7 @@ const std::map<std::string, std::set<std::string>> allowed{
     {"paper", {"reader", "decide", "emit"}},
     {"rocking_block", {"paper"}},
     {"kernel", {"paper"}},
+    {"manuscript", {"paper"}},
     {"numerics/motion", {}},
     {"numerics/search", {"numerics/records", "numbers"}},
     {"numerics/records", {"numerics/motion", "program"}},
@@ -52,6 +54,7 @@ const std::map<std::string, std::string> namespaces{{"language", "rederive::lang
                                                     {"emit", "rederive::emit"},
                                                     {"paper", "rederive::paper"},
                                                     {"kernel", "rederive::kernel"},
+                                                    {"manuscript", "rederive::manuscript"},
                                                     {"rocking_block", "rederive::rocking_block"},
                                                     {"numerics/motion", "rederive::numerics"},
                                                     {"numerics/search", "rederive::numerics"},
@@ -59,6 +62,7 @@ const std::map<std::string, std::string> namespaces{{"language", "rederive::lang
                                                     {"numerics/pictures", "rederive::numerics"},
                                                     {"numerics/commands", "rederive::numerics::commands"},
                                                     {"lessons/page", "rederive::page"},
+                                                    {"lessons/check", "rederive::check"},
                                                     {"lessons/ledger", "rederive::ledger"},
                                                     {"lessons/exercises", "rederive::classroom"},
                                                     {"lessons/illustrations", "rederive::illustrations"},

@@ -5,8 +5,10 @@
 //               rederive rod show 3         all about one row
 //               rederive rod lesson 1
 //               rederive rod test           all checks of the folder
+//               rederive check notes.tex    which line of a manuscript does not follow
 #include <derivations/emit/run_emit.hpp>
 #include <derivations/program/program.hpp>
+#include <lessons/check/run_check.hpp>
 #include <lessons/exercises/run_exercises.hpp>
 #include <lessons/ledger/run_ledger.hpp>
 #include <lessons/page/prose.hpp>
@@ -30,6 +32,7 @@ constexpr auto help =
 
 Usage: rederive DIR [COMMAND] [OPTIONS]
        rederive new DIR [--from rod|oscillator|empty] [--python|--cpp]
+       rederive check FILE… [OPTIONS]   judges the formulas of LaTeX, Markdown or notebooks
 
 Commands:
   (none)                    List every equation with its verdict.
@@ -129,6 +132,11 @@ int main(int argc, char** argv) {
   if (first == "--help" || first == "-h") return std::fputs(help, stdout) < 0 ? bad_input : as_expected;
   if (first == "--version") return std::puts("Rederive " REDERIVE_VERSION) < 0 ? bad_input : as_expected;
   if (first == "new") return run_new(argc - 1, argv + 1);
+  if (first == "check") {
+    std::string name = "rederive check";
+    argv[1] = name.data();
+    return check::run_check(argc - 1, argv + 1);
+  }
   if (!fs::is_directory(first)) return complain("there is no folder '" + printable_name(first) + "'");
   const std::string command = argc > 2 ? argv[2] : "";
   // Commands of their own programs begin behind their names; those of the ledger are its subcommands.

@@ -1,0 +1,47 @@
+// Tokens of LaTeX, each with its place, and the macros that a manuscript defines.
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace rederive::manuscript {
+
+/// A token, and the byte offset in the manuscript at which it begins. The token of a command whose argument
+/// is words contains them: "\text{for all}", "\begin{align}", "\label{eq:1}".
+struct TexToken {
+  std::string text;
+  std::size_t place;
+
+  bool is(std::string_view word) const { return text == word; }
+  bool starts(std::string_view word) const { return text.starts_with(word); }
+  /// Returns the words in braces of such a token: "for all".
+  std::string words() const;
+};
+using TexTokens = std::vector<TexToken>;
+
+/// Splits LaTeX from `from` on into tokens, without blanks, comments and commands that only set type.
+TexTokens tokens_of(std::string_view text, std::size_t from, std::size_t to);
+
+/// A macro of \newcommand or \def.
+struct Macro {
+  std::size_t arguments = 0;
+  std::optional<TexTokens> usual = {};  ///< the value of the first argument if it is left out
+  TexTokens body;
+};
+using Macros = std::map<std::string, Macro>;
+
+/// Reads a definition that begins at tokens[at], and returns the place behind it; `at` for other tokens.
+std::size_t read_macro(const TexTokens& tokens, std::size_t at, Macros& macros);
+
+/// Returns the tokens with macros replaced; what a macro stands for has the place of its call. At most
+/// 20,000 tokens are written, so that a macro that calls itself ends.
+TexTokens expanded(const TexTokens& tokens, const Macros& macros);
+
+/// Returns the index behind the group in braces or the token at `at`.
+std::size_t behind_argument(const TexTokens& tokens, std::size_t at);
+
+}  // namespace rederive::manuscript
