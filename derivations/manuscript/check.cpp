@@ -6,6 +6,7 @@
 #include <derivations/decide/problem.hpp>
 #include <derivations/language/lower.hpp>
 #include <derivations/language/print.hpp>
+#include <derivations/language/syntax.hpp>
 #include <derivations/manuscript/algebra.hpp>
 #include <derivations/manuscript/check.hpp>
 #include <derivations/manuscript/compare.hpp>
@@ -148,8 +149,10 @@ class Checker {
     const std::size_t close = next + 1 + inside.size;
     const bool is_call =
         inside.size > 0 && close < tokens.size() && tokens[close].is(")") && inside.name != name.name;
-    static const std::set<std::string> usual{"f", "g", "h", "F", "G", "H", "phi", "psi", "Phi", "Psi"};
-    if (has_prime || usual.contains(name.name)) functions_.insert(name.name);
+    static const std::set<std::string> usual{"g", "h", "G", "H", "phi", "psi", "Phi", "Psi"}, of{"x", "t", "s", "u", "y", "z"};
+    const bool is_usual = name.name == "f" || name.name == "F" ||
+                          (usual.contains(name.name) && is_call && of.contains(inside.name));
+    if (has_prime || is_usual) functions_.insert(name.name);
     auto& [calls, others] = uses_[name.name];
     (is_call ? calls : others) += 1;
     const bool is_of_time = is_call && (inside.name == "t" || inside.name == "x");
@@ -353,6 +356,7 @@ class Checker {
     if (at == 0) return is_rate(side);
     while (at < side.size() && side[at].is("'")) ++at;
     if (at < side.size() && side[at].is("(")) {
+      if (!meanings_.functions.contains(name_at(side, 0).name)) return false;
       const std::size_t close = static_cast<std::size_t>(
           std::ranges::find_if(side, [](const TexToken& token) { return token.is(")"); }) - side.begin());
       const bool is_value = close + 1 == side.size();
@@ -550,7 +554,10 @@ class Checker {
     Symbols symbols;
     for (const std::string& name : meanings_.symbols.names())
       if (names.contains(name)) symbols.declare(*meanings_.symbols.find(name));
-    if (!names.contains(remainder.name)) return result;
+    const bool is_sure = names.contains(remainder.name) && !reading.choices.is_uncertain &&
+                         std::ranges::includes(decide::names_of(a), decide::names_of(b));
+    result.reason = "the sides of this series have different names, or other readings";
+    if (!is_sure) return result;
     const decide::Proof proof =
         decide::decide_to_order({{a}, {}}, {{b}, {}}, {remainder.name}, remainder.order - 1, symbols);
     const bool is_right =
@@ -663,6 +670,10 @@ class Checker {
   void guard(const Tree& left, const std::string& relation, const Tree& right, Compared& compared) {
     const std::set<std::string> a = decide::names_of(left), b = decide::names_of(right);
     if (compared.is_numbers) return;
+    if (directive_.is_identity) {
+      compared.repair = repair_of(left, right, meanings_, stated_);
+      return;
+    }
     const auto take_back = [&](const std::string& reason) {
       compared.is = Compared::Is::undecided;
       compared.is_taken_back = true;
@@ -710,8 +721,11 @@ class Checker {
       if (names.contains(name)) symbols.declare(*meanings_.symbols.find(name));
     for (const std::string& name : small) {
       if (!names.contains(name)) continue;
-      const decide::Proof proof = decide::decide_to_order({{left}, {}}, {{right}, {}}, {name}, 1, symbols);
-      if (proof.verdict == decide::Verdict::approximation) return true;
+      const auto is_same = [&](const Tree& one, const Tree& other) {
+        const decide::Proof proof = decide::decide_to_order({{one}, {}}, {{other}, {}}, {name}, 1, symbols);
+        return proof.verdict == decide::Verdict::approximation || proof.verdict == decide::Verdict::proved;
+      };
+      if (is_same(left, right) && !is_same(left, paper_zero())) return true;
     }
     return false;
   }
@@ -825,7 +839,8 @@ class Checker {
     if (has_new_names && !is_told) return;
     // A list of values, x = 2 and y = 3, says nothing about each other.
     const bool is_same_names = decide::names_of(before.back()) == names;
-    if (!is_same_names && !is_told) return;
+    const bool is_fewer = std::ranges::includes(decide::names_of(before.back()), names);
+    if (!is_same_names && !is_told && !is_fewer) return;
     Compared compared;
     try {
       compared =
@@ -833,36 +848,38 @@ class Checker {
     } catch (const std::exception& error) {
       compared.reason = decide::in_plain_words(error);
     }
-    if (compared.is == Compared::Is::refuted) guard_step(equation, before, names, is_told, compared);
+    const bool is_certain = !directive_.from.empty();  // the text says from what it follows
+    if (compared.is == Compared::Is::refuted && !is_same_names && !is_certain) {
+      // A name may have been cancelled: then a change that makes the line right needs no other names.
+      const auto repair = is_fewer ? repair_of(before.back(), equation, meanings_, stated_) : "";
+      compared.repair = has_only(repair, names) ? repair : "";
+      if (compared.repair.empty()) {
+        compared.is = Compared::Is::undecided;
+        compared.reason = "it has not the names of the line before: a value may have been put in";
+      }
+    } else if (compared.is == Compared::Is::refuted && !is_certain) {
+      guard_step(equation, before, names, compared);
+    }
     const bool is_assumed =
         compared.is != Compared::Is::proved && compared.is != Compared::Is::refuted && !is_told;
     if (!is_assumed) apply(compared, link);
   }
 
+  bool has_only(const std::string& text, const std::set<std::string>& names) const {
+    return !text.empty() && std::ranges::includes(names, decide::names_of(parse_relation(text, meanings_.symbols)));
+  }
+
   /// Takes back the refutation of a step that may be an equation of its own.
-  void guard_step(const Relation& equation, const std::vector<Relation>& before,
-                  const std::set<std::string>& names, bool is_told, Compared& compared) const {
+  void guard_step(const Relation& equation, const std::vector<Relation>& before, const std::set<std::string>& names,
+                  Compared& compared) const {
     const auto take_back = [&](const std::string& reason) {
       compared.is = Compared::Is::undecided;
       compared.reason = reason;
     };
-    std::set<std::string> all = names;
-    for (const Relation& one : before) all.merge(decide::names_of(one));
-    if (facts_.bind(all, section_, display_) && !is_told && names.size() > 1)
-      return take_back("an equation of the text relates these names");
-    if (compared.is_loss && (names.size() > 1 || !is_polynomial_in_numbers(equation)))
-      return take_back(compared.witness);
-    if (names.size() == 1 && !compared.is_loss) {
-      compared.repair = repair_of(before.back(), equation, meanings_, stated_);
-      return;
-    }
-    if (compared.is_loss) return;
+    if (compared.is_loss) return names.size() > 1 ? take_back(compared.witness) : void();
     compared.repair = repair_of(before.back(), equation, meanings_, stated_);
-    if (compared.repair.empty())
-      take_back("it does not follow from the line before; it may be an equation of its own");
-  }
-  static bool is_polynomial_in_numbers(const Relation& equation) {
-    return decide::names_of(equation).size() == 1;
+    if (names.size() == 1 || !compared.repair.empty()) return;
+    take_back("it does not follow from the line before; it may be an equation of its own");
   }
 
   const Manuscript& manuscript_;

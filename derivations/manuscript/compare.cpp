@@ -149,7 +149,16 @@ Compared compare_rounded(const Tree& left, const Tree& right) {
   const Tree& shown = right_is_written || !left_is_written ? right : left;
   const auto decimals = decimals_of(shown);
   result.reason = "no side is a number as it is written";
-  if (!decimals) return result;
+  if (!decimals) {
+    // Numbers within both sides may be rounded, but not by a twentieth.
+    const Tree off = edits::call("fabs", edits::sum(left, right, true)),
+               twentieth = edits::product(edits::call("fabs", left), edits::number("20"), true);
+    if (numbers::sign_at(off, twentieth, {}) != numbers::Sign::positive) return result;
+    result.is = Compared::Is::refuted;
+    const auto one = numbers::digits_at(left, {}, 6), other = numbers::digits_at(right, {}, 6);
+    result.witness = fmt::format("the left side is {}, the right side {}", one ? *one : "?", other ? *other : "?");
+    return result;
+  }
   const std::string unit =
       *decimals > 0 ? fmt::format("1/10^{}", *decimals) : fmt::format("10^{}", -*decimals);
   const Tree step = parse(unit, {});

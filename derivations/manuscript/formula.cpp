@@ -89,8 +89,10 @@ Name name_at(const TexTokens& tokens, std::size_t at) {
     std::size_t end = behind_argument(tokens, k + 1);
     const bool is_group = text(k + 1) == "{";
     const std::size_t first = k + (is_group ? 2 : 1);
-    const Name inside = name_at(tokens, first);
     const std::size_t size = end - first - (is_group ? 1 : 0);
+    if (first + size > tokens.size()) return {};
+    const auto start = tokens.begin() + static_cast<std::ptrdiff_t>(first);
+    const Name inside = name_at(TexTokens(start, start + static_cast<std::ptrdiff_t>(size)), 0);
     const bool is_word = suffix == "bar" && size > 1 && inside.size != size;
     if (inside.size == 0 || inside.size != size || is_word) return {};
     name = inside.name;

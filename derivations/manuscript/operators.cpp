@@ -85,13 +85,22 @@ Tree integral_of(const Tree& integrand, const std::string& variable, const Tree&
                  Meanings& meanings, std::size_t place) {
   for (const std::string& name : decide::names_of(integrand))
     if (depends(name, variable, meanings)) refuse(place, "an integral of an unknown function is not read");
+  const auto integral = [&](const Symbols& symbols) {
+    const ex value = paper::definite_integral(lower(integrand, symbols), symbols[variable], lower(from, symbols),
+                                              lower(to, symbols));
+    return to_tree(value, symbols);
+  };
+  declared(variable, meanings);
   try {
-    const ex value =
-        paper::definite_integral(lower(integrand, meanings.symbols), declared(variable, meanings),
-                                 lower(from, meanings.symbols), lower(to, meanings.symbols));
-    return to_tree(value, meanings.symbols);
+    return integral(meanings.symbols);
   } catch (const SyntaxError&) {
     throw;
+  } catch (const std::exception&) {
+  }
+  try {  // a pole is outside of limits that are positive
+    Symbols positive;
+    for (const std::string& name : meanings.symbols.names()) positive.declare({name, name, name, "1", "(0, inf)", "", ""});
+    return integral(positive);
   } catch (const std::exception&) {
     refuse(place, "no antiderivative of this integrand is found here");
   }

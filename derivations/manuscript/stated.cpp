@@ -252,6 +252,7 @@ Directive read_directive(const std::string& text, StatedSymbols& symbols) {
           std::regex(
               R"((^|[^\\A-Za-z])(alpha|beta|gamma|delta|theta|phi|psi|omega|lambda|mu|nu|rho|sigma|tau|eta|xi|pi|kappa|epsilon)(?![A-Za-z]))"),
           "$1\\$2");
+      tex = std::regex_replace(tex, std::regex("_([A-Za-z0-9]{2,})"), "_{$1}");  // T_ex
       if (!take_range(tokens_of(tex, 0, tex.size()), symbols, false))
         throw BadInput(
             fmt::format("'{}' is not read: write x > 0, 0 < x < 1, x in (0, 1), n integer, f function, z "
