@@ -2,7 +2,7 @@
 #pragma once
 
 #include <derivations/language/functions.hpp>
-#include <derivations/manuscript/formula.hpp>
+#include <derivations/manuscript/values.hpp>
 #include <optional>
 
 namespace rederive::manuscript::algebra {

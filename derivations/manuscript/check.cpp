@@ -11,6 +11,8 @@
 #include <derivations/manuscript/check.hpp>
 #include <derivations/manuscript/compare.hpp>
 #include <derivations/manuscript/facts.hpp>
+#include <derivations/manuscript/formula.hpp>
+#include <derivations/manuscript/operators.hpp>
 #include <derivations/manuscript/statements.hpp>
 #include <derivations/program/program.hpp>
 #include <regex>
@@ -149,7 +151,8 @@ class Checker {
     const std::size_t close = next + 1 + inside.size;
     const bool is_call =
         inside.size > 0 && close < tokens.size() && tokens[close].is(")") && inside.name != name.name;
-    static const std::set<std::string> usual{"g", "h", "G", "H", "phi", "psi", "Phi", "Psi"}, of{"x", "t", "s", "u", "y", "z"};
+    static const std::set<std::string> usual{"g", "h", "G", "H", "phi", "psi", "Phi", "Psi"},
+        of{"x", "t", "s", "u", "y", "z"};
     const bool is_usual = name.name == "f" || name.name == "F" ||
                           (usual.contains(name.name) && is_call && of.contains(inside.name));
     if (has_prime || is_usual) functions_.insert(name.name);
@@ -866,12 +869,13 @@ class Checker {
   }
 
   bool has_only(const std::string& text, const std::set<std::string>& names) const {
-    return !text.empty() && std::ranges::includes(names, decide::names_of(parse_relation(text, meanings_.symbols)));
+    return !text.empty() &&
+           std::ranges::includes(names, decide::names_of(parse_relation(text, meanings_.symbols)));
   }
 
   /// Takes back the refutation of a step that may be an equation of its own.
-  void guard_step(const Relation& equation, const std::vector<Relation>& before, const std::set<std::string>& names,
-                  Compared& compared) const {
+  void guard_step(const Relation& equation, const std::vector<Relation>& before,
+                  const std::set<std::string>& names, Compared& compared) const {
     const auto take_back = [&](const std::string& reason) {
       compared.is = Compared::Is::undecided;
       compared.reason = reason;

@@ -156,7 +156,8 @@ Compared compare_rounded(const Tree& left, const Tree& right) {
     if (numbers::sign_at(off, twentieth, {}) != numbers::Sign::positive) return result;
     result.is = Compared::Is::refuted;
     const auto one = numbers::digits_at(left, {}, 6), other = numbers::digits_at(right, {}, 6);
-    result.witness = fmt::format("the left side is {}, the right side {}", one ? *one : "?", other ? *other : "?");
+    result.witness =
+        fmt::format("the left side is {}, the right side {}", one ? *one : "?", other ? *other : "?");
     return result;
   }
   const std::string unit =

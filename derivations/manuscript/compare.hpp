@@ -2,8 +2,8 @@
 #pragma once
 
 #include <derivations/decide/proof.hpp>
-#include <derivations/manuscript/formula.hpp>
 #include <derivations/manuscript/stated.hpp>
+#include <derivations/manuscript/values.hpp>
 
 namespace rederive::manuscript {
 

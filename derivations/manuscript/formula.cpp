@@ -139,11 +139,6 @@ Name name_at(const TexTokens& tokens, std::size_t at) {
   return {name, k - at};
 }
 
-const Symbol& declared(const std::string& name, Meanings& meanings) {
-  if (const Symbol* known = meanings.symbols.find(name)) return *known;
-  return meanings.symbols.declare({name, name, name, "1", all_numbers, "", ""});
-}
-
 namespace {
 
 class FormulaReader {
@@ -155,6 +150,7 @@ class FormulaReader {
 
   Value whole() {
     if (tokens_.empty()) refuse("a formula is missing here");
+    if (tokens_.size() > 3'000) refuse("this formula is too long");
     Value value = sum();
     if (at_ < tokens_.size()) refuse("'" + tokens_[at_].text + "' is not read here");
     return value;

@@ -95,7 +95,7 @@ class Scanner {
   void add_display(std::size_t from, std::size_t to, const std::string& name) {
     end_prose();
     items_.push_back({Item::Kind::display, from, text_.substr(from, to - from), name,
-                      expanded(tokens_of(text_, from, to), macros_)});
+                      expanded(tokens_of(text_, from, to), macros_, budget_)});
   }
 
   void display(std::string_view open, std::string_view close, const char* name) {
@@ -112,7 +112,7 @@ class Scanner {
     if (end == text_.npos || text_.substr(from, end - from).find("\n\n") != std::string::npos)
       return void(at_ = from);
     formulas_.push_back({Item::Kind::formula, from, text_.substr(from, end - from), "$",
-                         expanded(tokens_of(text_, from, end), macros_)});
+                         expanded(tokens_of(text_, from, end), macros_, budget_)});
     prose_ += "$" + formulas_.back().text + "$";
     at_ = end + close.size();
   }
@@ -163,6 +163,7 @@ class Scanner {
   std::string prose_;
   std::vector<Item> items_, formulas_;
   Macros macros_;
+  std::size_t budget_ = 100'000;  ///< calls of macros
 };
 
 }  // namespace

@@ -86,8 +86,8 @@ Tree integral_of(const Tree& integrand, const std::string& variable, const Tree&
   for (const std::string& name : decide::names_of(integrand))
     if (depends(name, variable, meanings)) refuse(place, "an integral of an unknown function is not read");
   const auto integral = [&](const Symbols& symbols) {
-    const ex value = paper::definite_integral(lower(integrand, symbols), symbols[variable], lower(from, symbols),
-                                              lower(to, symbols));
+    const ex value = paper::definite_integral(lower(integrand, symbols), symbols[variable],
+                                              lower(from, symbols), lower(to, symbols));
     return to_tree(value, symbols);
   };
   declared(variable, meanings);
@@ -99,7 +99,8 @@ Tree integral_of(const Tree& integrand, const std::string& variable, const Tree&
   }
   try {  // a pole is outside of limits that are positive
     Symbols positive;
-    for (const std::string& name : meanings.symbols.names()) positive.declare({name, name, name, "1", "(0, inf)", "", ""});
+    for (const std::string& name : meanings.symbols.names())
+      positive.declare({name, name, name, "1", "(0, inf)", "", ""});
     return integral(positive);
   } catch (const std::exception&) {
     refuse(place, "no antiderivative of this integrand is found here");
@@ -118,6 +119,9 @@ Tree series_of(const Series& series, Meanings& meanings, Choices& choices) {
     refuse(series.place, "the bounds of this sum are not numbers");
   };
   const int from = bound(series.from), to = bound(series.to);
+  constexpr std::size_t most_parts = 20'000;
+  if (from <= to && paper::edits::size_of(series.body) * static_cast<std::size_t>(to - from + 1) > most_parts)
+    refuse(series.place, "this sum is too long to be written out");
   Tree total = paper::edits::number(series.is_product ? "1" : "0");
   for (int k = from; k <= to; ++k) {
     const Tree digits = paper::edits::number(std::to_string(std::abs(k)));

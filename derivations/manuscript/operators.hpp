@@ -1,10 +1,15 @@
-// Integrals, sums and limits of expressions.
+// Derivatives, integrals, sums and limits of expressions.
 #pragma once
 
-#include <derivations/manuscript/formula.hpp>
+#include <derivations/manuscript/values.hpp>
 #include <optional>
 
 namespace rederive::manuscript {
+
+/// Returns the derivative of an expression by a name: with the rates of functions, or the partial one. Throws
+/// SyntaxError if it cannot be written.
+language::Tree derivative(const language::Tree& tree, const std::string& variable, Meanings& meanings,
+                          bool is_partial = false);
 
 /// Returns the symbol that stands for the integral of an expression without limits; the same integral has the
 /// same symbol, whose derivative is the integrand.

@@ -154,7 +154,8 @@ bool take_range(const TexTokens& tokens, StatedSymbols& symbols, bool is_from_te
 void take_stated(const std::string& prose, StatedSymbols& symbols) {
   // A relation is a condition behind such a word, in the same sentence.
   static const std::regex condition(
-      R"((?:for|[Ll]et|where|with|[Aa]ssum\w*|[Ss]uppose|[Ww]hen|[Ii]f|provided|[Gg]iven|since|that|all|any|every|and|[Tt]ake)\s+(?:that\s+)?(?:all\s+|any\s+|every\s+|real\s+|positive\s+|integers?\s+|numbers?\s+)*\$([^$]*)\$)");
+      R"((?:for|[Ll]et|where|with|[Aa]ssum\w*|[Ss]uppose|[Ww]hen|[Ii]f|provided|[Gg]iven|since|that|all|any|every|and|[Tt]ake)\s+(?:that\s+)?(?:all\s+|any\s+|every\s+|real\s+|positive\s+|integers?\s+|numbers?\s+)*\$([^$]*)\$)",
+      std::regex::icase);
   for (std::sregex_iterator found(prose.begin(), prose.end(), condition), end; found != end; ++found) {
     const std::string formula = (*found)[1];
     (void)take_range(tokens_of(formula, 0, formula.size()), symbols, true);

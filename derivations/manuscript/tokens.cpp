@@ -241,17 +241,17 @@ TexTokens argument_at(const TexTokens& tokens, std::size_t at, std::size_t end) 
 
 class Expander {
  public:
-  explicit Expander(const Macros& macros) : macros_(macros) {}
+  Expander(const Macros& macros, std::size_t& budget) : macros_(macros), budget_(budget) {}
 
   TexTokens run(const TexTokens& tokens, int depth) {
     TexTokens result;
-    for (std::size_t at = 0; at < tokens.size() && written_ < most;) {
+    for (std::size_t at = 0; at < tokens.size();) {
       const auto found = macros_.find(tokens[at].text);
-      if (found == macros_.end() || depth > 20) {
+      if (found == macros_.end() || depth > 20 || budget_ == 0) {
         result.push_back(tokens[at++]);
-        ++written_;
         continue;
       }
+      --budget_;
       const TexTokens called = call(found->second, tokens, at);
       for (TexToken& token : run(called, depth + 1)) result.push_back(std::move(token));
     }
@@ -259,8 +259,6 @@ class Expander {
   }
 
  private:
-  static constexpr std::size_t most = 20'000;
-
   /// Returns the body of a macro with its arguments; `at` moves behind them.
   TexTokens call(const Macro& macro, const TexTokens& tokens, std::size_t& at) {
     const std::size_t place = tokens[at++].place;
@@ -287,7 +285,7 @@ class Expander {
         continue;
       }
       const std::string& digit = macro.body[++k].text;
-      const std::size_t number = digit[0] >= '1' && digit[0] <= '9' ? digit[0] - '1' : most;
+      const std::size_t number = digit[0] >= '1' && digit[0] <= '9' ? digit[0] - '1' : arguments.size();
       if (number < arguments.size())
         result.insert(result.end(), arguments[number].begin(), arguments[number].end());
       if (digit.size() > 1) result.push_back({digit.substr(1), place});
@@ -296,7 +294,7 @@ class Expander {
   }
 
   const Macros& macros_;
-  std::size_t written_ = 0;
+  std::size_t& budget_;
 };
 
 }  // namespace
@@ -355,6 +353,8 @@ std::size_t read_macro(const TexTokens& tokens, std::size_t at, Macros& macros) 
   return end;
 }
 
-TexTokens expanded(const TexTokens& tokens, const Macros& macros) { return Expander(macros).run(tokens, 0); }
+TexTokens expanded(const TexTokens& tokens, const Macros& macros, std::size_t& budget) {
+  return Expander(macros, budget).run(tokens, 0);
+}
 
 }  // namespace rederive::manuscript

@@ -254,7 +254,8 @@ int run_check(int argc, char** argv) {
       ->type_name("FILE");
   app.add_flag("--inline", options.with_inline, "Judge the formulas in the text, too.");
   app.add_flag("--strict", options.strict, "Count a step that holds under conditions only as wrong.");
-  app.add_flag("--verbose", options.verbose, "Show every step, with the conditions under which it holds; -v for short.");
+  app.add_flag("--verbose", options.verbose,
+               "Show every step, with the conditions under which it holds; -v for short.");
   app.add_flag("--watch", options.watch, "Check again whenever a file is saved. Ctrl-C ends it.");
   app.footer(R"(Examples:
   $ rederive check notes.tex

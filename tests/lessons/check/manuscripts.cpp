@@ -26,7 +26,8 @@ TEST_CASE("a wrong line is a message with its place, and exit code 1") {
   const TemporaryFolder folder;
   const Result run = checked(folder, {}, wrong);
   CHECK(run.exit_code == 1);
-  CHECK(contains(run.out, "notes.tex:3:5: wrong: 2x = 10: at x = 2 the line before holds, and this one does not"));
+  CHECK(contains(run.out,
+                 "notes.tex:3:6: wrong: 2x = 10: at x = 2 the line before holds, and this one does not"));
   CHECK(contains(run.out, "0 proved, 1 wrong, 0 undecided, 0 not read, 1 assumed"));
   CHECK(checked(folder, {}, "\\[ x + x = 2x = x \\cdot 2 \\]").exit_code == 0);
 }
@@ -69,7 +70,8 @@ TEST_CASE("a page, notebooks, Markdown, declared symbols") {
   CHECK(checked(folder, {}, "```\n$$ 1 = 2 = 3 $$\n```\n", "notes.md").exit_code == 0);
   write_file(folder.path / "symbols.toml", "[symbols]\nx = { range = \"(0, inf)\" }\n");
   CHECK(checked(folder, {"--strict", "--symbols", (folder.path / "symbols.toml").string()},
-                "\\[ \\sqrt{x^2} + 1 = x + 1 = 1 + x \\]").exit_code == 0);
+                "\\[ \\sqrt{x^2} + 1 = x + 1 = 1 + x \\]")
+            .exit_code == 0);
 }
 
 TEST_CASE("bad files and options are errors") {
