@@ -596,6 +596,11 @@ class Checker {
     for (const Reading& reading : readings_of(left, right, is_lower, meanings_)) {
       has_sign_ = has_sign_ || reading.choices.has_sign;
       Compared compared = compared_values(reading, relation);
+      if (reading.choices.may_be_a_call) {
+        compared = {};
+        compared.reason = "a name before brackets may be a function";
+        return compared;
+      }
       if (compared.is == Compared::Is::proved) return compared;
       const bool is_refuted = compared.is == Compared::Is::refuted || compared.is_taken_back;
       are_refuted = are_refuted && is_refuted && !reading.choices.is_uncertain;
@@ -765,9 +770,9 @@ class Checker {
   void judge_equation(const Statement& statement, std::vector<Relation>& equations, JudgedDisplay& display) {
     Link link = link_of(statement, 0);
     std::optional<Relation> relation;
-    static const std::set<std::string> read{"=", ":=", "<", "<=", ">", ">="};
+    static const std::set<std::string> read{"=", ":=", "<", "<=", ">", ">=", "≈"};
     const bool is_read = read.contains(link.relation);
-    if (!is_read && link.relation != "!=" && link.relation != "≈" && link.relation != "\\in") {
+    if (!is_read && link.relation != "!=" && link.relation != "\\in") {
       link.finding = Finding::not_read;
       link.reason = "the relation " + link.relation + " is not judged";
     }
@@ -778,7 +783,7 @@ class Checker {
         const bool is_real = left.is_number() && right.is_number() && !left.entries[0].imaginary &&
                              !right.entries[0].imaginary;
         if (is_real && readings.size() == 1 && !readings[0].choices.is_uncertain &&
-            !readings[0].choices.has_sign)
+            !readings[0].choices.has_sign && !readings[0].choices.may_be_a_call)
           relation = {{left.entries[0].real, right.entries[0].real},
                       {link.relation == ":=" ? "=" : link.relation}};
       } catch (const SyntaxError& error) {
@@ -791,7 +796,9 @@ class Checker {
     const bool is_list = statement.is_listed && statement.connective == Connective::none;
     const bool is_new = link.relation == ":=" || is_list;
     const bool is_numbers = relation && decide::names_of(*relation).empty();
-    const bool is_step = relation && !before.empty() && !is_new && is_judging_ && !is_numbers;
+    const bool is_approximate = link.relation == "≈";
+    const bool is_step =
+        relation && !is_approximate && !before.empty() && !is_new && is_judging_ && !is_numbers;
     const bool is_value = is_known_value(statement.sides[0]) && link.relation == "=" && !before.empty();
     const bool is_worked_out =
         relation && before.empty() && link.relation == "=" && has_operator(statement.sides[0]);
@@ -802,7 +809,7 @@ class Checker {
     else if (is_step)
       judge_step(statement, *relation, before, link);
     if (link.finding == Finding::assumed || link.finding == Finding::not_read) assume(statement, 0);
-    if (relation && !is_numbers) equations.push_back(*relation);
+    if (relation && !is_numbers && !is_approximate) equations.push_back(*relation);
     if (!relation) equations.clear();
     if (is_judging_) display.links.push_back(std::move(link));
   }

@@ -89,8 +89,9 @@ std::string shortened(const std::string& digits) {
   return digits.find('.') != digits.npos && digits.size() > most ? digits.substr(0, most) + "…" : digits;
 }
 
-/// Asks for all real numbers, then for positive ones, then for those between 0 and 1.
-Compared asked(const Question& question) {
+/// Asks for all real numbers, then for positive ones, then for those between 0 and 1. `is_strict`: what holds
+/// for positive ones only does not hold.
+Compared asked(const Question& question, bool is_strict = false) {
   Compared result;
   if (is_empty(question, all_numbers)) {
     result.reason = "what is supposed contradicts itself";
@@ -113,7 +114,7 @@ Compared asked(const Question& question) {
   });
   const bool is_positive = !is_bounded && !is_empty(question, "(0, inf)");
   const Proof positive = is_positive ? question.answer("(0, inf)") : everywhere;
-  if (is_right(positive)) {
+  if (is_right(positive) && !is_strict) {
     result.is = Compared::Is::proved;
     take_conditions(positive);
     for (const std::string& name : question.names())
@@ -121,14 +122,15 @@ Compared asked(const Question& question) {
     return result;
   }
   result.reason = "it holds for a part of the values only, or is not decided for positive ones";
-  if (positive.verdict != Verdict::refuted || !positive.witness) return result;
-  const bool is_small = is_positive && !is_empty(question, "(0, 1)");
+  const Proof& refuted = is_strict ? everywhere : positive;
+  if (refuted.verdict != Verdict::refuted || !refuted.witness) return result;
+  const bool is_small = is_positive && !is_strict && !is_empty(question, "(0, 1)");
   if (is_small && is_right(question.answer("(0, 1)"))) return result;
   result.is = Compared::Is::refuted;
-  result.witness = in_words(*positive.witness);
+  result.witness = in_words(*refuted.witness);
   const std::string values =
-      fmt::format("the left side is {}, the right side {}", shortened(positive.witness->printed),
-                  shortened(positive.witness->derived));
+      fmt::format("the left side is {}, the right side {}", shortened(refuted.witness->printed),
+                  shortened(refuted.witness->derived));
   result.witness += (result.witness.empty() ? "" : " ") + values;
   return result;
 }
@@ -173,7 +175,7 @@ Compared compare_rounded(const Tree& left, const Tree& right) {
     // Digits that were rounded on the way make a larger error.
     const Tree five = edits::product(edits::number("5"), step);
     const bool is_far = numbers::sign_at(difference, five, {}) == numbers::Sign::positive;
-    const bool is_rounded_before = most_decimals(exact).has_value();
+    const bool is_rounded_before = most_decimals(exact).value_or(0) > 0;
     result.reason = "the last digits may be rounded before";
     if (is_rounded_before && !is_far) return result;
     result.is = Compared::Is::refuted;
@@ -248,9 +250,13 @@ Compared compare_step(const Relation& equation, const std::vector<Relation>& bef
                       const Meanings& meanings, const StatedSymbols& stated) {
   const Relation truth = parse_relation("0 < 1", {});
   const Relation& last = before.back();
-  Compared same = asked({equation, last, {}, meanings, stated});
+  // x^2 = 9 has two solutions, also where a text means a positive x; with other names, signs are left unsaid.
+  std::set<std::string> names = names_of(equation);
+  for (const Relation& one : before) names.merge(names_of(one));
+  const bool is_strict = names.size() == 1;
+  Compared same = asked({equation, last, {}, meanings, stated}, is_strict);
   if (same.is == Compared::Is::proved) return same;
-  Compared forward = asked({equation, truth, before, meanings, stated});
+  Compared forward = asked({equation, truth, before, meanings, stated}, is_strict);
   if (forward.is == Compared::Is::proved) {
     if (is_equivalence && same.is == Compared::Is::refuted)
       forward.conditions.push_back("not conversely: solutions may be gained");
@@ -259,7 +265,7 @@ Compared compare_step(const Relation& equation, const std::vector<Relation>& bef
   if (forward.is == Compared::Is::undecided) return forward;
   const std::size_t values = forward.witness.find(" the left side is");
   if (values != forward.witness.npos) forward.witness.resize(values);
-  const Compared back = asked({last, truth, {equation}, meanings, stated});
+  const Compared back = asked({last, truth, {equation}, meanings, stated}, is_strict);
   if (back.is == Compared::Is::proved) {
     forward.is_loss = true;
     forward.witness += " there is a solution of the line before that is lost";

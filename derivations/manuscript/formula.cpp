@@ -674,7 +674,7 @@ class FormulaReader {
       integrals_ = integrals;
       if (at_ != below - 1) refuse("this derivative is not read");
       at_ = after;
-      if (is("(")) choices_.is_uncertain = true;  // the rate at a place
+      if (is("(")) choices_.may_be_a_call = true;  // the rate at a place
     } else {
       at_ = after;
       if (!starts_operand()) refuse("what is derived is missing");
@@ -849,10 +849,10 @@ class FormulaReader {
   /// Notes that what follows a name may be its argument: a(b), E[x], \delta r.
   void check_call(const std::string& name) {
     const bool is_capital = std::isupper(static_cast<unsigned char>(name[0])) != 0;
-    if (is("[") && is_capital) choices_.is_uncertain = true;
+    if (is("[") && is_capital) choices_.may_be_a_call = true;
     if (name == "delta" && meanings_.delta_is_an_operator &&
         (is("(") || is("{") || name_at(tokens_, at_).size > 0))
-      choices_.is_uncertain = true;
+      choices_.may_be_a_call = true;
     if (!is("(")) return;
     const Name inside = name_at(tokens_, at_ + 1);
     const bool is_number_inside = is_number(text(1)) && is(")", 2);
@@ -861,10 +861,10 @@ class FormulaReader {
     for (std::size_t k = at_; k < tokens_.size(); ++k) {
       depth += tokens_[k].is("(") || tokens_[k].is("{") ? 1 : 0;
       depth -= tokens_[k].is(")") || tokens_[k].is("}") ? 1 : 0;
-      if (depth == 1 && tokens_[k].is(",")) choices_.is_uncertain = true;
+      if (depth == 1 && tokens_[k].is(",")) choices_.may_be_a_call = true;
       if (depth == 0) break;
     }
-    if (is_number_inside || is_name_inside) choices_.is_uncertain = true;
+    if (is_number_inside || is_name_inside) choices_.may_be_a_call = true;
   }
 
   Value named(const std::string& name) {

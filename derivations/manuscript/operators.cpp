@@ -15,6 +15,20 @@ namespace {
   throw SyntaxError(Mistake::syntax, place, message);
 }
 
+/// Returns a term of a sum: k in place of the index, and x_k in place of x_i.
+Tree term_of(const Series& series, int k) {
+  const Tree digits = paper::edits::number(std::to_string(std::abs(k)));
+  Tree term = put_in(series.body, series.index, k < 0 ? paper::edits::negative(digits) : digits);
+  for (const std::string& name : decide::names_of(series.body)) {
+    const std::size_t index = name.find('_');
+    if (index == name.npos || name.find(series.index, index) == name.npos) continue;
+    if (name.substr(index + 1) != series.index || k < 0)
+      refuse(series.place, "a sum of terms with this index is not read");
+    term = put_in(term, name, paper::edits::symbol(name.substr(0, index + 1) + std::to_string(k)));
+  }
+  return term;
+}
+
 /// Returns the name of the rate of a function by a variable: xdot, y_p, y_pp.
 std::string rate_of(const std::string& name, const std::string& variable) {
   const std::size_t index = name.find('_');
@@ -124,8 +138,8 @@ Tree series_of(const Series& series, Meanings& meanings, Choices& choices) {
     refuse(series.place, "this sum is too long to be written out");
   Tree total = paper::edits::number(series.is_product ? "1" : "0");
   for (int k = from; k <= to; ++k) {
-    const Tree digits = paper::edits::number(std::to_string(std::abs(k)));
-    const Tree term = put_in(series.body, series.index, k < 0 ? paper::edits::negative(digits) : digits);
+    const Tree term = term_of(series, k);
+    for (const std::string& name : decide::names_of(term)) declared(name, meanings);
     total = series.is_product ? paper::edits::product(total, term) : paper::edits::sum(total, term);
   }
   return total;

@@ -51,12 +51,13 @@ struct Meanings {
 
 /// How a formula is read: which of two ways is taken, for each doubt.
 struct Choices {
-  unsigned second = 0;        ///< a bit for each doubt that is read in the second way
-  unsigned asked = 0;         ///< a bit for each doubt that was met
-  bool is_uncertain = false;  ///< the reading is likely, but no refutation may rest on it
-  bool has_sign = false;      ///< ± or ∓ was met
-  bool is_lower = false;      ///< they are read as their lower signs
-  std::string bound = {};     ///< the name up to which a sum goes, if that is not a number
+  unsigned second = 0;         ///< a bit for each doubt that is read in the second way
+  unsigned asked = 0;          ///< a bit for each doubt that was met
+  bool is_uncertain = false;   ///< the reading is likely, but no refutation may rest on it
+  bool may_be_a_call = false;  ///< a name before brackets may be a function, so that nothing is sure
+  bool has_sign = false;       ///< ± or ∓ was met
+  bool is_lower = false;       ///< they are read as their lower signs
+  std::string bound = {};      ///< the name up to which a sum goes, if that is not a number
 };
 
 /// Returns the symbol of a name, which is declared as a real number if it is new.
