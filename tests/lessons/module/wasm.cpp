@@ -121,7 +121,7 @@ TEST_CASE("in Chromium the module answers as judge_lines does") {
   browser.wait_for(
       "typeof wasm !== 'undefined' && rederive({print() {}, wasmBinary: Uint8Array.from(atob(wasm), (byte) "
       "=> "
-      "byte.charCodeAt(0))}).then((module) => globalThis.judge = module, true)");
+      "byte.charCodeAt(0))}).then((module) => (globalThis.judge = module, true))");
   const auto reply_to = "judge.ccall('rederive_reply', 'string', ['string'], [JSON.stringify(";
   std::vector<std::string> found;
   for (const Json& request : asked().requests)
