@@ -309,9 +309,26 @@ class Checker {
       }
       last_side = statement.sides.back();
     }
+    take_back_settings(display);
     if (is_judging_ && !display.links.empty()) displays_.push_back(std::move(display));
     return equations;
   }
+  /// A chain such as l = g = 1 sets its sides to one, which says nothing about identities.
+  static void take_back_settings(JudgedDisplay& display) {
+    const auto sets_to_one = [](const Link& link) {
+      const bool has_one = link.left == "1" || link.right == "1";
+      return has_one && link.left != link.right && link.finding == Finding::undecided;
+    };
+    if (std::ranges::none_of(display.links, sets_to_one)) return;
+    for (Link& link : display.links) {
+      if (link.finding != Finding::wrong) continue;
+      link.finding = Finding::undecided;
+      link.witness.clear();
+      link.repair.clear();
+      link.reason = "the chain may set its sides to 1";
+    }
+  }
+
   static std::size_t first_place(const Item& item) {
     return item.tokens.empty() ? item.place : item.tokens[0].place;
   }
