@@ -783,7 +783,7 @@ class Checker {
     return true;
   }
 
-  /// Judges an equation that stands alone: it follows from the one before, or is taken as it is.
+  /// Judges a single equation: it follows from the one before, or is taken as it is.
   void judge_equation(const Statement& statement, std::vector<Relation>& equations, JudgedDisplay& display) {
     Link link = link_of(statement, 0);
     std::optional<Relation> relation;

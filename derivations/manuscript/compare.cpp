@@ -167,7 +167,7 @@ Compared compare_rounded(const Tree& left, const Tree& right) {
   const Tree step = parse(unit, {});
   const Tree difference = edits::call("fabs", edits::sum(left, right, true));
   const auto sign = numbers::sign_at(difference, step, {});
-  // Digits may be rounded or cut off, so an error of up to one unit of the last digit is no fault.
+  // Digits may be rounded or cut off, so an error of up to one unit of the last digit is allowed.
   if (sign == numbers::Sign::negative || sign == numbers::Sign::zero) {
     result.is = Compared::Is::proved;
   } else if (sign == numbers::Sign::positive) {

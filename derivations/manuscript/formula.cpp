@@ -132,7 +132,11 @@ Name name_at(const TexTokens& tokens, std::size_t at) {
       goes_on = true;
     }
     const bool is_star = text(k) == "^" && text(k + 1) == "*";
-    if (is_star) name += "star", k += 2, goes_on = true;
+    if (is_star) {
+      name += "star";
+      k += 2;
+      goes_on = true;
+    }
   }
   static const std::set<std::string> taken{"pi", "Pi", "PI", "pI", "inf"};
   if (taken.contains(name)) name += "_";
@@ -873,7 +877,8 @@ class FormulaReader {
       return algebra::number(found->second < 0 ? edits::negative(digits) : digits);
     }
     if (meanings_.complex.contains(name)) {
-      declared(name + "_re", meanings_), declared(name + "_im", meanings_);
+      declared(name + "_re", meanings_);
+      declared(name + "_im", meanings_);
       return Value{1, 1, {{edits::symbol(name + "_re"), edits::symbol(name + "_im")}}};
     }
     declared(name, meanings_);

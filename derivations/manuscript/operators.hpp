@@ -11,7 +11,7 @@ namespace rederive::manuscript {
 language::Tree derivative(const language::Tree& tree, const std::string& variable, Meanings& meanings,
                           bool is_partial = false);
 
-/// Returns the symbol that stands for the integral of an expression without limits; the same integral has the
+/// Returns the symbol that represents the integral of an expression without limits; the same integral has the
 /// same symbol, whose derivative is the integrand.
 language::Tree antiderivative(const language::Tree& integrand, const std::string& variable,
                               Meanings& meanings);

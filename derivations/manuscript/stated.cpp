@@ -265,6 +265,16 @@ Directive read_directive(const std::string& text, StatedSymbols& symbols) {
   return result;
 }
 
+namespace {
+
+/// Returns the field of a name in a table of symbols: integer, function or complex.
+bool& flag_of(std::string_view name, Stated& stated) {
+  if (name == "integer") return stated.is_integer;
+  return name == "function" ? stated.is_function : stated.is_complex;
+}
+
+}  // namespace
+
 void read_symbols(const std::filesystem::path& file, StatedSymbols& symbols) {
   toml::table table;
   try {
@@ -287,9 +297,7 @@ void read_symbols(const std::filesystem::path& file, StatedSymbols& symbols) {
       if (name == "range" && value.is_string())
         stated.range = value.as_string()->get();
       else if (is_flag && value.is_boolean())
-        (name == "integer"    ? stated.is_integer
-         : name == "function" ? stated.is_function
-                              : stated.is_complex) = value.as_boolean()->get();
+        flag_of(name, stated) = value.as_boolean()->get();
       else
         throw BadInput(place + "." + name +
                        ": range is a text, and integer, function and complex are true or false");

@@ -147,9 +147,15 @@ class Tokenizer {
     while (is_letter(now(size))) ++size;
     if (size == 1) size = std::min<std::size_t>(2, to_ - at_);
     std::string word(text_.substr(at_, size));
-    if (is_letter(now(1)) && now(size) == '*') word += "*", ++size;
+    if (is_letter(now(1)) && now(size) == '*') {
+      word += "*";
+      ++size;
+    }
     const bool is_worded = with_words.contains(word);
-    if (!is_worded && word.ends_with("*") && word.size() > 2) word.pop_back(), --size;
+    if (!is_worded && word.ends_with("*") && word.size() > 2) {
+      word.pop_back();
+      --size;
+    }
     if (word == "\\\\") return line_end();
     if (unseen.contains(word)) {
       at_ += size;

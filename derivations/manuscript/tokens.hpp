@@ -37,7 +37,7 @@ using Macros = std::map<std::string, Macro>;
 /// Reads a definition that begins at tokens[at], and returns the place behind it; `at` for other tokens.
 std::size_t read_macro(const TexTokens& tokens, std::size_t at, Macros& macros);
 
-/// Returns the tokens with macros replaced; what a macro stands for has the place of its call. `budget` is
+/// Returns the tokens with macros replaced; their values have the place of the call. `budget` is
 /// the number of calls that are still replaced in the manuscript, so that macros that call themselves end.
 TexTokens expanded(const TexTokens& tokens, const Macros& macros, std::size_t& budget);
 

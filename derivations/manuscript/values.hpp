@@ -28,7 +28,7 @@ struct Definition {
   language::Tree value;
 };
 
-/// An integral without limits, which stands for a symbol: its derivative by `variable` is known.
+/// An integral without limits, represented by a symbol: its derivative by `variable` is known.
 struct Antiderivative {
   std::string variable;
   language::Tree integrand;
