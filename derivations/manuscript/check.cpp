@@ -341,7 +341,8 @@ class Checker {
   std::string source_of(const TexTokens& tokens) const {
     if (tokens.empty()) return "";
     const std::size_t from = tokens.front().place;
-    std::size_t to = tokens.back().place + tokens.back().text.size();
+    std::size_t to =
+        tokens.back().end != 0 ? tokens.back().end : tokens.back().place + tokens.back().text.size();
     const std::string& text = manuscript_.text();
     to = std::min(std::max(to, from), text.size());
     return trimmed_source(text.substr(from, to - from));

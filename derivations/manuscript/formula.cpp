@@ -12,6 +12,7 @@
 #include <derivations/manuscript/formula.hpp>
 #include <derivations/manuscript/operators.hpp>
 #include <derivations/paper/edits.hpp>
+#include <regex>
 #include <utility>
 
 namespace rederive::manuscript {
@@ -326,6 +327,8 @@ class FormulaReader {
     if (take("\\left.")) return evaluated();
     if (is("\\frac") || is("\\dfrac") || is("\\tfrac") || is("\\cfrac")) return fraction();
     if (take("\\sqrt")) return root();
+    if (text().starts_with("\\num{")) return written_number();
+    if (text().starts_with("\\si{") || text().starts_with("\\unit{")) return unit();
     if (const auto value = unary_command()) return *value;
     if (const auto value = operation()) return *value;
     if (const auto value = constant()) return *value;
@@ -333,10 +336,62 @@ class FormulaReader {
     return symbol();
   }
 
+  /// Reads \num{1.2e-3}.
+  Value written_number() {
+    static const std::regex form(R"(\s*([-+]?)(\d*[.,]?\d+)\s*(?:[eE]([-+]?\d{1,2}))?\s*)");
+    const std::string words = tokens_[at_].words();
+    std::smatch found;
+    if (!std::regex_match(words, found, form)) refuse("this number is not read");
+    ++at_;
+    std::string digits = found[2];
+    std::ranges::replace(digits, ',', '.');
+    Tree value = edits::number(digits);
+    if (found[3].matched) {
+      const int power = std::stoi(found[3]);
+      const Tree raised = edits::number(std::to_string(std::abs(power)));
+      value = edits::product(
+          value,
+          make_tree(Kind::power, "", {edits::number("10"), power < 0 ? edits::negative(raised) : raised}));
+    }
+    return algebra::number(found[1] == "-" ? edits::negative(value) : value);
+  }
+
+  /// Reads a unit as a product of names: m/s^2, \metre\per\second. Units are not converted into each other.
+  Value unit() {
+    static const std::regex part(R"(\\?([A-Za-zµΩ°%]+)|\^\{?(-?\d)\}?|([./]))");
+    const std::string words = tokens_[at_].words();
+    std::vector<std::pair<std::string, int>> factors;  // names with their exponents
+    bool divides = false, follows_slash = false;
+    for (std::sregex_iterator found(words.begin(), words.end(), part), end; found != end; ++found) {
+      const std::string name = (*found)[1], raised = (*found)[2];
+      if ((*found)[3] == "/") follows_slash = true;
+      if (name == "per") divides = true;
+      int power = raised.empty() ? 0 : std::stoi(raised);
+      if (name == "squared") power = 2;
+      if (name == "cubed") power = 3;
+      if (power != 0 && !factors.empty()) factors.back().second *= power;
+      if (name.empty() || power != 0 || name == "per") continue;
+      std::string symbol = "unit";
+      for (const char c : name)
+        symbol +=
+            std::isalnum(static_cast<unsigned char>(c)) != 0 ? std::string(1, c) : fmt::format("{:x}", c);
+      factors.emplace_back(symbol, divides || follows_slash ? -1 : 1);
+      divides = false;
+    }
+    Tree product = edits::number("1");
+    for (const auto& [symbol, exponent] : factors) {
+      declared(symbol, meanings_);
+      const Tree raised = edits::number(std::to_string(std::abs(exponent)));
+      product =
+          edits::product(product, make_tree(Kind::power, "", {edits::symbol(symbol), raised}), exponent < 0);
+    }
+    ++at_;
+    return algebra::number(product);
+  }
+
   /// Reads commands around an argument that do not change its value.
   std::optional<Value> unary_command() {
-    for (const char* word :
-         {"\\cancel", "\\bcancel", "\\xcancel", "\\boxed", "\\mathrm", "\\mathit", "\\num"})
+    for (const char* word : {"\\cancel", "\\bcancel", "\\xcancel", "\\boxed", "\\mathrm", "\\mathit"})
       if (take(word)) return argument();
     if (take("\\underbrace") || take("\\overbrace")) {
       Value value = argument();

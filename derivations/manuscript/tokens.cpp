@@ -79,6 +79,7 @@ const std::set<std::string, std::less<>> with_words{"\\text",
                                                     "\\hspace",
                                                     "\\si",
                                                     "\\unit",
+                                                    "\\num",
                                                     "\\textsf",
                                                     "\\texttt",
                                                     "\\emph",
@@ -164,6 +165,7 @@ class Tokenizer {
       if (is_bracket && now() == '.') add_invisible(word);
       return;
     }
+    if (word == "\\SI" || word == "\\qty") return quantity(size);
     const std::size_t start = at_;
     if (!is_worded && word != "\\mathrm") return add(size);
     at_ += size;
@@ -185,6 +187,19 @@ class Tokenizer {
     }
     at_ = end;
     if (!dropped.contains(word)) tokens_.push_back({word + words, start});
+  }
+
+  /// \SI{3}{m/s} is \num{3} and \si{m/s}.
+  void quantity(std::size_t size) {
+    const std::size_t start = at_;
+    at_ += size;
+    for (const char* part : {"\\num", "\\si"}) {
+      skip_blanks();
+      if (now() != '{') return;
+      const std::size_t end = behind_brace(text_, at_, to_);
+      tokens_.push_back({part + std::string(text_.substr(at_, end - at_)), start, end});
+      at_ = end;
+    }
   }
 
   void add_invisible(const std::string& word) {

@@ -15,6 +15,7 @@ namespace rederive::manuscript {
 struct TexToken {
   std::string text;
   std::size_t place;
+  std::size_t end = 0;  ///< behind it, if it is not as long as its text
 
   bool is(std::string_view word) const { return text == word; }
   bool starts(std::string_view word) const { return text.starts_with(word); }
