@@ -23,6 +23,20 @@ const std::set<std::string, std::less<>> skipped{
     "verbatim", "verbatim*",    "lstlisting",    "minted",   "comment", "tikzpicture",
     "tabular",  "filecontents", "filecontents*", "Verbatim", "alltt",   "thebibliography"};
 
+/// A command that reads another file, its first and last place in a line, and the name of the file.
+struct Input {
+  std::size_t at = 0, close = 0;
+  std::string name = {};
+};
+Input inputs_in(std::string_view line) {
+  for (const std::string_view command : {"\\input{", "\\include{", "\\usepackage{", "\\RequirePackage{"}) {
+    const std::size_t at = line.find(command), close = at == line.npos ? at : line.find('}', at);
+    if (close != line.npos)
+      return {at, close + 1, std::string(line.substr(at + command.size(), close - at - command.size()))};
+  }
+  return {};
+}
+
 /// Finds displays, formulas, directives and macros in a text.
 class Scanner {
  public:
@@ -208,18 +222,19 @@ void Manuscript::add_tex(const fs::path& file, int depth) {
     if (line.ends_with("\r")) line.remove_suffix(1);
     ++number;
     start = end + 1;
-    const std::size_t input = line.find("\\input{"), comment = line.find('%');
-    const std::size_t close = input == line.npos ? line.npos : line.find('}', input);
-    if (close == line.npos || comment < input || depth >= 10) {
+    const std::size_t comment = std::min(line.find('%'), line.size());
+    const Input input = inputs_in(line.substr(0, comment));
+    fs::path other = input.name.empty() ? fs::path() : file.parent_path() / input.name;
+    for (const char* extension : {"", ".tex", ".sty"})
+      if (fs::is_regular_file(other.string() + extension)) other += extension;
+    const bool is_there = !input.name.empty() && depth < 10 && fs::is_regular_file(other);
+    if (!is_there) {  // a file that is missing hides no error of this one
       add_line(line, index, number, 1);
       continue;
     }
-    fs::path other = file.parent_path() / std::string(line.substr(input + 7, close - input - 7));
-    if (!fs::is_regular_file(other)) other += ".tex";
-    add_line(line.substr(0, input), index, number, 1);
-    if (fs::is_regular_file(other))
-      add_tex(other, depth + 1);  // a file that is missing hides no error of this one
-    add_line(line.substr(close + 1), index, number, close + 2);
+    add_line(line.substr(0, input.at), index, number, 1);
+    add_tex(other, depth + 1);
+    add_line(line.substr(input.close), index, number, input.close + 1);
   }
 }
 

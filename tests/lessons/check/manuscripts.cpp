@@ -74,6 +74,16 @@ TEST_CASE("a page, notebooks, Markdown, declared symbols") {
             .exit_code == 0);
 }
 
+TEST_CASE("files that a manuscript reads are read, with their macros and places") {
+  const TemporaryFolder folder;
+  write_file(folder.path / "mine.sty", "\\newcommand{\\half}{\\frac12}\n");
+  write_file(folder.path / "part.tex", "\n\\[ 1 + 1 = 2 = 3 \\]\n");
+  const Result run =
+      checked(folder, {"-v"}, "\\usepackage{mine}\n\\include{part}\n\\[ \\half x + \\half x = x = x \\]\n");
+  CHECK(contains(run.out, "part.tex:2:14: wrong: 2 = 3"));
+  CHECK(contains(run.out, "notes.tex:3:22: proved: \\half x + \\half x = x"));
+}
+
 TEST_CASE("bad files and options are errors") {
   const TemporaryFolder folder;
   CHECK(run_program("rederive", {"check", (folder.path / "none.tex").string()}).exit_code == 2);
