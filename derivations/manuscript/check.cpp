@@ -313,19 +313,30 @@ class Checker {
     if (is_judging_ && !display.links.empty()) displays_.push_back(std::move(display));
     return equations;
   }
-  /// A chain such as l = g = 1 sets its sides to one, which says nothing about identities.
+  static void take_back(Link& link, const std::string& reason) {
+    link.finding = Finding::undecided;
+    link.witness.clear();
+    link.repair.clear();
+    link.reason = reason;
+  }
+
+  /// A chain such as l = g = 1 sets its sides to one, which says nothing about identities; a list of
+  /// solutions on several lines loses none.
   static void take_back_settings(JudgedDisplay& display) {
     const auto sets_to_one = [](const Link& link) {
       const bool has_one = link.left == "1" || link.right == "1";
       return has_one && link.left != link.right && link.finding == Finding::undecided;
     };
+    for (std::size_t k = 0; k + 1 < display.links.size(); ++k) {  // x = 1, and x = 2 on the next line
+      Link& link = display.links[k];
+      const bool is_listed = link.is_loss && display.links[k + 1].left == link.left;
+      if (is_listed && link.finding == Finding::wrong)
+        take_back(link, "the next line may be another solution");
+    }
     if (std::ranges::none_of(display.links, sets_to_one)) return;
     for (Link& link : display.links) {
       if (link.finding != Finding::wrong) continue;
-      link.finding = Finding::undecided;
-      link.witness.clear();
-      link.repair.clear();
-      link.reason = "the chain may set its sides to 1";
+      take_back(link, "the chain may set its sides to 1");
     }
   }
 
@@ -526,6 +537,7 @@ class Checker {
     link.witness = compared.witness;
     link.repair = compared.repair;
     link.reason = compared.reason;
+    link.is_loss = compared.is_loss;
     link.finding = Finding::undecided;
     if (compared.is == Compared::Is::proved) link.finding = Finding::proved;
     if (compared.is == Compared::Is::refuted) link.finding = Finding::wrong;
@@ -885,12 +897,27 @@ class Checker {
         compared.is = Compared::Is::undecided;
         compared.reason = "it has not the names of the line before: a value may have been put in";
       }
+    } else if (compared.is == Compared::Is::refuted && !is_told &&
+               are_alternatives(before.back(), equation)) {
+      compared.is = Compared::Is::undecided;
+      compared.reason = "it may be another value of the same name";
     } else if (compared.is == Compared::Is::refuted && !is_certain) {
       guard_step(equation, before, names, compared);
     }
     const bool is_assumed =
         compared.is != Compared::Is::proved && compared.is != Compared::Is::refuted && !is_told;
     if (!is_assumed) apply(compared, link);
+  }
+
+  /// Returns whether two equations give a name two values, as a list of solutions does: x = 1 and x = 2.
+  static bool are_alternatives(const Relation& one, const Relation& other) {
+    const auto is_value = [](const Relation& equation) {
+      return decide::is_symbol(equation.sides[0]) &&
+             !decide::names_of(equation.sides[1]).contains(equation.sides[0]->text);
+    };
+    if (!is_value(one) || !is_value(other) || !is_same(one.sides[0], other.sides[0])) return false;
+    const bool is_worked_out = decide::names_of(one.sides[1]).empty() && !decimals_of(one.sides[1]);
+    return !is_worked_out;  // x = 10/2 is one
   }
 
   bool has_only(const std::string& text, const std::set<std::string>& names) const {

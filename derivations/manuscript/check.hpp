@@ -19,6 +19,7 @@ struct Link {
   std::string witness = {};                  ///< "at x = 1/2 the left side is 3, the right side 5"
   std::string repair = {};                   ///< the right side as it would be right
   std::string reason = {};                   ///< why it is not read or undecided
+  bool is_loss = false;                      ///< it is wrong because a solution of the line before is lost
 };
 
 struct JudgedDisplay {
