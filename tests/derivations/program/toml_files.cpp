@@ -125,7 +125,8 @@ TEST_CASE("data that ship: lessons, cells of notebooks and words of slips are re
   write_file(prefix.path / "lib/python3/rederive/_numbers.test.so", "");
   const Text lesson = lesson_programs().at(0);
   for (const Text& program : {lesson, Text("exercises")}) fs::copy(built / program, bin / program);
-  fs::copy(built.parent_path() / "share/rederive", data, fs::copy_options::recursive);
+  fs::copy(built.parent_path() / "share/rederive", data,
+           fs::copy_options::recursive | fs::copy_options::copy_symlinks);
   const std::map<Text, Cells> commands{
       {"text", {lesson}},
       {"notebook", {lesson, "--format", "notebook"}},
