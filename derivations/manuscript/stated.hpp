@@ -32,7 +32,7 @@ void read_symbols(const std::filesystem::path& file, StatedSymbols& symbols);
 /// Takes ranges such as "for $x > 0$", "where $n$ is an integer" and "positive $a$ and $b$" from prose.
 void take_stated(const std::string& prose, StatedSymbols& symbols);
 
-/// Takes a relation such as x > 0, 0 < x < 1, n \in \mathbb{N} as the range of a name. Returns whether it is
+/// Takes a relation such as x > 0, 0 < x < 1, n in N as the range of a name. Returns whether it is
 /// one.
 bool take_range(const TexTokens& tokens, StatedSymbols& symbols, bool is_from_text);
 

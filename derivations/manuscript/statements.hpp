@@ -20,7 +20,7 @@ struct Statement {
   bool is_listed = false;  ///< it is one of several on its line
 };
 
-/// Returns the statements of a display, in order. `labels` receives the names of \label.
+/// Returns the statements of a display, in order. `labels` receives the labels.
 std::vector<Statement> statements_of(const TexTokens& tokens, const std::string& environment,
                                      std::vector<std::string>& labels);
 

@@ -27,7 +27,7 @@ using TexTokens = std::vector<TexToken>;
 /// Splits LaTeX from `from` on into tokens, without blanks, comments and commands that only set type.
 TexTokens tokens_of(std::string_view text, std::size_t from, std::size_t to);
 
-/// A macro of \newcommand or \def.
+/// A macro, as newcommand and def make them.
 struct Macro {
   std::size_t arguments = 0;
   std::optional<TexTokens> usual = {};  ///< the value of the first argument if it is left out
