@@ -30,12 +30,6 @@ struct Reading {
   Choices choices;
 };
 
-/// A statement that is read as one equation of numbers.
-struct Equation {
-  Relation relation;
-  bool is_definition = false;
-};
-
 std::string trimmed_source(const std::string& text) {
   std::string result;
   for (const char c : text) {
@@ -45,8 +39,12 @@ std::string trimmed_source(const std::string& text) {
   return program::trimmed(result);
 }
 
+bool is_in(const std::string& prose, const std::regex& pattern) {
+  const auto matches = [&](const std::string& sentence) { return std::regex_search(sentence, pattern); };
+  return std::ranges::any_of(sentences_of(prose), matches);
+}
 bool has_word(const std::string& prose, const char* words) {
-  return std::regex_search(prose, std::regex(std::string("\\b(") + words + ")\\b", std::regex::icase));
+  return is_in(prose, std::regex(std::string("\\b(") + words + ")\\b", std::regex::icase));
 }
 
 constexpr const char* headings =
@@ -117,14 +115,15 @@ class Checker {
     static const std::regex heading(headings),
         word(R"(\b(small|approximat\w*|linearis\w*|lineariz\w*|neglect\w*|leading order|first order)\b)"),
         named(R"(small\s+(?:\w+\s+){0,2}\$([^$]+)\$|\$([^$]+)\$\s+(?:is|are|be)\s+(?:very\s+|so\s+)?small)");
-    if (std::regex_search(text, heading)) ++section_;
-    if (std::regex_search(text, word)) approximate_[section_];
-    for (std::sregex_iterator found(text.begin(), text.end(), named), end; found != end; ++found) {
-      const std::string formula = (*found)[1].matched ? (*found)[1] : (*found)[2];
-      const TexTokens tokens = tokens_of(formula, 0, formula.size());
-      if (const Name name = name_at(tokens, 0); name.size == tokens.size())
-        approximate_[section_].insert(name.name);
-    }
+    if (is_in(text, heading)) ++section_;
+    if (is_in(text, word)) approximate_[section_];
+    for (const std::string& sentence : sentences_of(text))
+      for (std::sregex_iterator found(sentence.begin(), sentence.end(), named), end; found != end; ++found) {
+        const std::string formula = (*found)[1].matched ? (*found)[1] : (*found)[2];
+        const TexTokens tokens = tokens_of(formula, 0, formula.size());
+        if (const Name name = name_at(tokens, 0); name.size == tokens.size())
+          approximate_[section_].insert(name.name);
+      }
   }
 
   static bool names_euler(const TexTokens& tokens) {
@@ -202,19 +201,20 @@ class Checker {
 
   void take_prose(const std::string& text) {
     static const std::regex heading(headings);
-    if (std::regex_search(text, heading)) {
+    if (is_in(text, heading)) {
       before_.clear();
       ++section_;
     }
     take_stated(text, stated_);
     prose_ += text;
   }
-  /// "… where x > 0" behind a display is said of it, too.
+  /// "… where x > 0" behind a display holds for it, too.
   void take_following(const std::string& text) {
     static const std::regex following(
         R"(^[\s,.;]*(?:where|for|with|if|when|provided|assuming|valid)\b[^.]*\.?)");
     std::smatch found;
-    if (std::regex_search(text, found, following)) take_stated(found[0], stated_);
+    const std::string beginning = text.substr(0, 2'000);
+    if (std::regex_search(beginning, found, following)) take_stated(found[0], stated_);
   }
 
   void take_directive(const Item& item) {
@@ -792,7 +792,7 @@ class Checker {
     }
     link.finding = Finding::undecided;
     link.reason =
-        fmt::format("it holds for {} of the values 1 to 6 of {}, which proves nothing", tried, name);
+        fmt::format("of {} = 1, 2, … 6, it holds for {}, which does not prove it for all", name, tried);
     return true;
   }
 
@@ -821,8 +821,10 @@ class Checker {
         link.reason = error.what();
       }
     }
+    constexpr std::ptrdiff_t most_before = 12;  // a step rests on the lines before it, not on a long list
     std::vector<Relation> before = before_;
-    before.insert(before.end(), equations.begin(), equations.end());
+    before.insert(before.end(), equations.end() - std::min(most_before, std::ssize(equations)),
+                  equations.end());
     const bool is_list = statement.is_listed && statement.connective == Connective::none;
     const bool is_new = link.relation == ":=" || is_list;
     const bool is_numbers = relation && decide::names_of(*relation).empty();

@@ -341,7 +341,7 @@ class FormulaReader {
     static const std::regex form(R"(\s*([-+]?)(\d*[.,]?\d+)\s*(?:[eE]([-+]?\d{1,2}))?\s*)");
     const std::string words = tokens_[at_].words();
     std::smatch found;
-    if (!std::regex_match(words, found, form)) refuse("this number is not read");
+    if (words.size() > 60 || !std::regex_match(words, found, form)) refuse("this number is not read");
     ++at_;
     std::string digits = found[2];
     std::ranges::replace(digits, ',', '.');
@@ -360,6 +360,7 @@ class FormulaReader {
   Value unit() {
     static const std::regex part(R"(\\?([A-Za-zµΩ°%]+)|\^\{?(-?\d)\}?|([./]))");
     const std::string words = tokens_[at_].words();
+    if (words.size() > 200) refuse("this unit is too long");
     std::vector<std::pair<std::string, int>> factors;  // names with their exponents
     bool divides = false, follows_slash = false;
     for (std::sregex_iterator found(words.begin(), words.end(), part), end; found != end; ++found) {
@@ -899,7 +900,7 @@ class FormulaReader {
       refuse_at(start, "a remainder O(…) is read at the end of a side only");
     if (is("(") && (is_function || primes > 0)) return function_value(name.name, primes, start);
     check_call(name.name);
-    if (name.name.ends_with("vec") || name.name.ends_with("bold") || meanings_.vectors.contains(name.name))
+    if (name.name.ends_with("vec") || name.name.ends_with("bold"))
       refuse_at(start, "vectors are read by their components only");
     return named(name.name +
                  std::string(static_cast<std::size_t>(primes), 'p').insert(0, primes > 0 ? "_" : ""));

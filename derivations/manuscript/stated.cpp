@@ -42,20 +42,21 @@ std::string joined(const TexTokens& tokens, std::size_t from = 0) {
   return text;
 }
 
+/// Returns the names in a list with commas; "" for each part that is not a name.
+std::vector<std::string> listed_names(const TexTokens& tokens) {
+  std::vector<std::string> names;
+  for (auto start = tokens.begin(); true; ++start) {
+    const auto comma = std::find_if(start, tokens.end(), [](const TexToken& token) { return token.is(","); });
+    names.push_back(whole_name({start, comma}));
+    if (comma == tokens.end()) return names;
+    start = comma;
+  }
+}
+
 /// Takes n \in \mathbb{N}, x \in (0, 1), x \in \mathbb{R}.
 bool take_membership(const Statement& statement, StatedSymbols& symbols, bool is_from_text) {
   const std::string set = joined(statement.sides[1]);
-  std::vector<std::string> names;
-  TexTokens one;
-  for (const TexToken& token : statement.sides[0]) {
-    if (!token.is(",")) {
-      one.push_back(token);
-      continue;
-    }
-    names.push_back(whole_name(one));
-    one.clear();
-  }
-  names.push_back(whole_name(one));
+  const std::vector<std::string> names = listed_names(statement.sides[0]);
   if (std::ranges::any_of(names, &std::string::empty)) return false;
   Stated stated{.is_from_text = is_from_text};
   if (set.find("mathbb{N}") != set.npos || set == "\\mathbbN") {
@@ -110,17 +111,7 @@ bool take_range(const TexTokens& tokens, StatedSymbols& symbols, bool is_from_te
       TexTokens side = statement.sides[k];
       const bool has_bars = side.size() > 2 && side.front().is("|") && side.back().is("|");
       if (has_bars) side = {side.begin() + 1, side.end() - 1};
-      std::vector<std::string> names;  // a, b > 0
-      TexTokens one;
-      for (const TexToken& token : side) {
-        if (!token.is(",")) {
-          one.push_back(token);
-          continue;
-        }
-        names.push_back(whole_name(one));
-        one.clear();
-      }
-      names.push_back(whole_name(one));
+      const std::vector<std::string> names = listed_names(side);  // a, b > 0
       if (std::ranges::any_of(names, &std::string::empty)) continue;
       const bool is_rising = is_less(statement.relations[0]);
       End low{"-inf"}, high{"inf"};
@@ -151,7 +142,10 @@ bool take_range(const TexTokens& tokens, StatedSymbols& symbols, bool is_from_te
   return is_taken;
 }
 
-void take_stated(const std::string& prose, StatedSymbols& symbols) {
+namespace {
+
+/// Takes what a sentence states.
+void take_sentence(const std::string& prose, StatedSymbols& symbols) {
   // A relation is a condition behind such a word, in the same sentence.
   static const std::regex condition(
       R"((?:for|[Ll]et|where|with|[Aa]ssum\w*|[Ss]uppose|[Ww]hen|[Ii]f|provided|[Gg]iven|since|that|all|any|every|and|[Tt]ake)\s+(?:that\s+)?(?:all\s+|any\s+|every\s+|real\s+|positive\s+|integers?\s+|numbers?\s+)*\$([^$]*)\$)",
@@ -161,18 +155,8 @@ void take_stated(const std::string& prose, StatedSymbols& symbols) {
     (void)take_range(tokens_of(formula, 0, formula.size()), symbols, true);
   }
   const auto say = [&](const std::string& formula, const std::string& words) {
-    const TexTokens tokens = tokens_of(formula, 0, formula.size());
-    TexTokens one;
-    std::vector<std::string> names;
-    for (std::size_t k = 0; k <= tokens.size(); ++k) {
-      if (k < tokens.size() && !tokens[k].is(",")) {
-        one.push_back(tokens[k]);
-        continue;
-      }
-      if (const std::string name = whole_name(one); !name.empty()) names.push_back(name);
-      one.clear();
-    }
-    for (const std::string& name : names) {
+    for (const std::string& name : listed_names(tokens_of(formula, 0, formula.size()))) {
+      if (name.empty()) continue;
       Stated& stated = symbols[name];
       stated.is_from_text = true;
       const bool is_integer = words.find("integer") != words.npos || words.find("whole") != words.npos ||
@@ -204,7 +188,27 @@ void take_stated(const std::string& prose, StatedSymbols& symbols) {
   }
 }
 
+}  // namespace
+
+std::vector<std::string> sentences_of(std::string_view text) {
+  constexpr std::size_t longest = 2'000;
+  std::vector<std::string> sentences;
+  while (!text.empty()) {
+    std::size_t end = text.size();
+    for (const std::string_view mark : {". ", ".\n", "\n\n"})
+      if (const std::size_t at = text.find(mark); at != text.npos) end = std::min(end, at + mark.size());
+    sentences.emplace_back(text.substr(0, std::min(end, longest)));
+    text.remove_prefix(end);
+  }
+  return sentences;
+}
+
+void take_stated(const std::string& prose, StatedSymbols& symbols) {
+  for (const std::string& sentence : sentences_of(prose)) take_sentence(sentence, symbols);
+}
+
 Directive read_directive(const std::string& text, StatedSymbols& symbols) {
+  if (text.size() > 2'000) throw BadInput("a directive has at most 2000 characters: write several");
   Directive result;
   for (std::size_t start = 0; start <= text.size();) {
     const std::size_t end = std::min(text.find(';', start), text.size());

@@ -29,6 +29,10 @@ Directive read_directive(const std::string& text, StatedSymbols& symbols);
 /// Reads a table [symbols] with `range`, `integer`, `function` and `complex`. Throws BadInput.
 void read_symbols(const std::filesystem::path& file, StatedSymbols& symbols);
 
+/// Returns the sentences of a text, each cut at 2,000 bytes, so that no expression is matched with a longer
+/// one.
+std::vector<std::string> sentences_of(std::string_view text);
+
 /// Takes ranges such as "for $x > 0$", "where $n$ is an integer" and "positive $a$ and $b$" from prose.
 void take_stated(const std::string& prose, StatedSymbols& symbols);
 

@@ -148,13 +148,20 @@ std::vector<TexTokens> lines_of(const TexTokens& tokens) {
   return lines;
 }
 
-bool has_relation(const TexTokens& tokens) {
+/// Returns the place of the last relation that is in no bracket; 0 for none, since a relation has a side
+/// before it.
+std::size_t last_relation(const TexTokens& tokens) {
+  std::size_t last = 0;
   int depth = 0;
-  for (const TexToken& token : tokens) {
-    depth += step_of(token);
-    if (depth <= 0 && relations.contains(token.text)) return true;
+  for (std::size_t at = 0; at < tokens.size(); ++at) {
+    depth += step_of(tokens[at]);
+    if (depth <= 0 && relations.contains(tokens[at].text)) last = at;
   }
-  return false;
+  return last;
+}
+bool has_relation(const TexTokens& tokens) {
+  const bool begins = !tokens.empty() && relations.contains(tokens[0].text);
+  return begins || last_relation(tokens) > 0;
 }
 
 bool is_operator(const TexToken& token) {
@@ -224,14 +231,13 @@ class LineSplitter {
 
   /// Splits a line at connectives, words, wide spaces, and commas between relations.
   void add(const TexTokens& line) {
-    const std::size_t first = result_.size();
+    const std::size_t first = result_.size(), last = last_relation(line);
     int depth = 0;
     for (std::size_t at = 0; at < line.size(); ++at) {
       const TexToken& token = line[at];
       depth += step_of(token);
       const auto connective = connectives.find(token.text);
-      const bool is_comma = (token.is(",") || token.is(";")) && has_relation(part_) &&
-                            has_relation({line.begin() + static_cast<std::ptrdiff_t>(at), line.end()});
+      const bool is_comma = (token.is(",") || token.is(";")) && part_has_relation_ && at < last;
       if (depth == 0 && connective != connectives.end()) {
         end_part();
         connective_ = connective->second;
@@ -241,6 +247,7 @@ class LineSplitter {
       } else if (depth == 0 && (token.is("\\quad") || token.is("\\qquad") || is_comma)) {
         end_part();
       } else {
+        part_has_relation_ = part_has_relation_ || (depth <= 0 && relations.contains(token.text));
         part_.push_back(token);
       }
     }
@@ -262,10 +269,12 @@ class LineSplitter {
       connective_ = Connective::none;
     }
     part_.clear();
+    part_has_relation_ = false;
   }
 
   std::vector<Statement>& result_;
   TexTokens part_;
+  bool part_has_relation_ = false;
   std::string words_;
   Connective connective_ = Connective::none;
 };

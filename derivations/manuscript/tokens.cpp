@@ -51,8 +51,7 @@ const std::set<std::string, std::less<>> unseen{"\\,",
                                                 "\\displaylimits",
                                                 "\\ensuremath",
                                                 "\\thinspace",
-                                                "\\rm",
-                                                "\\strut"};
+                                                "\\rm"};
 
 /// Commands whose argument is words.
 const std::set<std::string, std::less<>> with_words{"\\text",

@@ -42,7 +42,6 @@ struct Meanings {
   std::map<std::string, Antiderivative> antiderivatives = {};
   std::map<std::string, std::string> variables = {};  ///< unknown function → its variable
   std::set<std::string> complex = {};                 ///< names of complex numbers
-  std::set<std::string> vectors = {};                 ///< names that the text writes as vectors
   std::map<std::string, long> numbers = {};           ///< names that have a value, for a sum up to n
   bool delta_is_an_operator = false;                  ///< δ makes variations of what follows
   bool has_imaginary_unit = false;                    ///< i is the imaginary unit

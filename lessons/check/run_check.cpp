@@ -140,7 +140,8 @@ Json sarif_of(const std::vector<Report>& reports, const CheckOptions& options) {
 constexpr const char* style =
     "body{font:1rem/1.5 "
     "system-ui,sans-serif;max-width:60rem;margin:auto;padding:1rem;color:#1b1b1b;background:#fff}"
-    "table{border-collapse:collapse;width:100%}td,th{padding:.3rem .5rem;vertical-align:top;text-align:left;"
+    "table{border-collapse:collapse;width:100%}h2{overflow-wrap:anywhere}td,th{padding:.3rem "
+    ".5rem;vertical-align:top;text-align:left;"
     "border-top:1px solid #ddd}code{white-space:pre-wrap;overflow-wrap:anywhere}.wrong td{background:#fde8e6}"
     ".proved .verdict{color:#1a6b2f}.wrong "
     ".verdict{color:#a3150b;font-weight:bold}.not_read,.undecided,.assumed{color:#555}";
@@ -164,6 +165,7 @@ std::string html_of(const std::vector<Report>& reports) {
         if (remark.empty()) remark = link.reason;
         for (const std::string& condition : link.conditions)
           remark += (remark.empty() ? "if " : ", ") + condition;
+        if (!remark.empty()) remark.insert(0, ": ");
         html += fmt::format(
             "<tr class=\"{}\"><td>{}</td><td><code>{}</code></td><td><span class=\"verdict\">{}</span> "
             "{}</td></tr>\n",

@@ -93,7 +93,7 @@ class TruthCheck {
     const bool is_formula = prepared_.exercise.asks_for_formula();
     if (has_word(words, "(left|right)(-hand)? side of (your|the) (equation|answer)|your equation") &&
         prepared_.exercise.kind != Kind::equation)
-      return "the answer is no equation";
+      return "the answer is not an equation";
     if (is_formula && has_word(words, "sine|cosine") && !has_any({"sin", "cos", "asin", "acos", "exp"}))
       return "there is neither a sine nor a cosine";
     if (is_formula && has_word(words, "units?") && !has_units()) return "nothing in it has a unit";

@@ -161,7 +161,7 @@ Before before(const std::string& lesson, const std::string& id) {
 }
 
 /// Returns what a lesson says before an exercise that is its answer; "" if there is nothing. A symbol alone
-/// is no answer that can be told, nor is what the statement says itself.
+/// cannot give an answer away, nor can what the statement says itself.
 std::string told_before(const Prepared& prepared, const Before& said) {
   const auto& sides = prepared.answer.relation.sides;
   if (sides.size() == 1 && sides[0]->kind == Node::Kind::symbol) return "";

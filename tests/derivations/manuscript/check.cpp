@@ -156,4 +156,15 @@ TEST_CASE("hostile texts end") {
     for (int k = 0; k < 1'000; ++k) text += part;
     CHECK_NOTHROW((void)report_of_text(text));
   }
+  // Long pieces, which a regular expression would match by recursion, and long lists.
+  const Text step = "\\[ x = x = x \\]", letters(300'000, 'a');
+  Text list;
+  for (int k = 0; k < 20'000; ++k) list += "a=b,";
+  for (const Text& text :
+       {"for $" + letters + "$" + step, "small " + letters + step, letters + "." + step,
+        "# " + Text(300'000, '#') + step, "\\[ \\num{" + Text(300'000, '1') + "} = x \\]" + step,
+        "\\[ \\si{" + letters + "} = x \\]" + step, "\\[ " + list + " \\]" + step})
+    CHECK(report_of_text(text).count(Finding::proved) == 1);
+  CHECK_THROWS_WITH_AS(report_of_text("% rederive: " + letters + "\n"), doctest::Contains("2000 characters"),
+                       rederive::program::BadInput);
 }
